@@ -6,8 +6,6 @@
 #include "actions/menu_rows.h"
 
 #include "actions/workbench.h"
-#include "author/align.h"
-#include "author/pin.h"
 #include "dialogs/map_dialog.h"
 #include "dialogs/operation_dialog.h"
 #include "docks/docks.h"
@@ -17,6 +15,8 @@
 #include "document/words.h"
 #include "inspector/material_step.h"
 #include "outline/outline.h"
+#include "shaping/align.h"
+#include "shaping/pin.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 

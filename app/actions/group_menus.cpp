@@ -2,12 +2,12 @@
 
 #include "actions/menu_row.h"
 #include "actions/workbench.h"
-#include "author/elements.h"
-#include "author/group.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "icons/icon.h"
+#include "select/elements.h"
+#include "select/group.h"
 
 #include <QInputDialog>
 #include <QMainWindow>

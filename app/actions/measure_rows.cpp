@@ -7,11 +7,11 @@
 
 #include "actions/actions.h"
 #include "actions/workbench.h"
-#include "author/measure.h"
 #include "base/quantity.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "select/measure.h"
 #include "viewport/viewport.h"
 
 #include <QAction>

@@ -8,7 +8,7 @@
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <algorithm>
 

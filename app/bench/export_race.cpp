@@ -10,7 +10,7 @@
 #include "compile/compile.h"
 #include "export/export_run.h"
 #include "export/format.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <chrono>
 #include <ctime>

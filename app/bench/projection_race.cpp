@@ -5,7 +5,7 @@
 // designs with air, ground and controls.
 #include "bench/races.h"
 #include "bench/report.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-// A certificate (run/certificate.h) as the command line tells it.
+// A certificate (recording/certificate.h) as the command line tells it.
 #pragma once
 
-#include "run/certificate.h"
+#include "recording/certificate.h"
 #include "terminal/terminal.h"
 
 namespace ripstop {

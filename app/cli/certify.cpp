@@ -1,7 +1,8 @@
 // ripstop-cli certify: which digits of a run hold.
 //
-// The scene is flown three times (run/certificate.h); what each probe goes to is printed as a table
-// or as JSON, --csv writes the bands of errors over time, and --record keeps the run with them.
+// The scene is flown three times (recording/certificate.h); what each probe goes to is printed as a
+// table or as JSON, --csv writes the bands of errors over time, and --record keeps the run with
+// them.
 #include "run/certify.h"
 #include "cli/certificate_text.h"
 #include "cli/commands.h"

@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
-#include "run/compare_runs.h"
+#include "recording/compare_runs.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

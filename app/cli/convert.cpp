@@ -1,9 +1,9 @@
 // ripstop-cli convert: panels in place of the threads that have carried the pull of a fabric.
+#include "check/check.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "derived/panel_fabric.h"
 #include "io/scene_file.h"
-#include "scene/check.h"
-#include "scene/panel_fabric.h"
 #include "scene/path.h"
 #include "terminal/terminal.h"
 

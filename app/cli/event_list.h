@@ -1,8 +1,8 @@
 // The events of a run that is not recorded; a recorder has its own.
 #pragma once
 
-#include "run/event_watch.h"
-#include "run/simulation.h"
+#include "recording/event_watch.h"
+#include "simulation/simulation.h"
 
 #include <vector>
 

@@ -11,7 +11,7 @@
 #include "cli/targets.h"
 #include "compile/compile.h"
 #include "export/format.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

@@ -5,12 +5,12 @@
 // options, imports one file after the other into one scene, fits the substeps to the springs, and
 // writes the scene.
 #include "author/mesh_import.h"
+#include "check/check.h"
 #include "cli/commands.h"
 #include "cli/own_library.h"
 #include "cli/scene_input.h"
 #include "cli/targets.h"
 #include "io/scene_file.h"
-#include "scene/check.h"
 #include "scene/element_index.h"
 #include "scene/path.h"
 #include "shapes/mesh_file.h"

@@ -2,13 +2,13 @@
 //
 // Sums of mass, moment and area are taken over each part; describe() collects all that is said in
 // JSON, which printTable() prints for people, so that both outputs say the same.
+#include "check/check.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
 #include "compile/compile.h"
+#include "derived/cloth_area.h"
 #include "io/recording_file.h"
-#include "scene/check.h"
-#include "scene/cloth_area.h"
 #include "step/solver_plan.h"
 #include "terminal/terminal.h"
 

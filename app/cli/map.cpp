@@ -1,10 +1,10 @@
 // ripstop-cli map: a number of elements as a formula of where they lie, or of a picture.
-#include "author/element_map.h"
-#include "author/elements.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
+#include "select/element_map.h"
+#include "select/elements.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

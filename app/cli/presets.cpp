@@ -5,12 +5,12 @@
 // presets themselves (preset_list.h).
 #include "materials/neighbours.h"
 
+#include "check/check.h"
 #include "cli/commands.h"
 #include "cli/own_library.h"
 #include "cli/preset_list.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
-#include "scene/check.h"
 #include "scene/element_index.h"
 #include "scene/path.h"
 #include "terminal/terminal.h"

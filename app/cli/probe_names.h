@@ -1,7 +1,7 @@
 // Names that tell the probes of a scene apart, where its author gave several the same one.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <string>
 #include <vector>

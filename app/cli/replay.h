@@ -5,7 +5,7 @@
 #pragma once
 
 #include "io/recording_file.h"
-#include "run/replay.h"
+#include "recording/replay.h"
 
 #include <string>
 

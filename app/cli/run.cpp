@@ -20,10 +20,10 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"
+#include "recording/recorder.h"
 #include "run/pose.h"
-#include "run/recorder.h"
 #include "run/settle.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "step/step_times.h"
 #include "terminal/terminal.h"
 

@@ -2,12 +2,12 @@
 #include "cli/run_report.h"
 
 #include "base/hash_text.h"
+#include "check/strength_gaps.h"
 #include "cli/probe_names.h"
 #include "measure/diagnostics.h"
 #include "run/end_check.h"
 #include "run/has_margins.h"
 #include "run/tear_report.h"
-#include "scene/strength_gaps.h"
 
 #include <algorithm>
 #include <cmath>

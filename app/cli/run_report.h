@@ -1,7 +1,7 @@
 // What `ripstop-cli run` says of a run: one JSON object, from which the table is printed too.
 #pragma once
 
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "step/step_times.h"
 #include "terminal/terminal.h"
 

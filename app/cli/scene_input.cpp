@@ -1,8 +1,8 @@
 #include "cli/scene_input.h"
 
 #include "io/scene_file.h"
-#include "run/simulation.h"
 #include "scene/path.h"
+#include "simulation/simulation.h"
 #include "terminal/terminal.h"
 
 #include <charconv>

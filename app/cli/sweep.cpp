@@ -18,9 +18,9 @@
 #include "io/whole_file.h"
 #include "measure/diagnostics.h"
 #include "run/end_check.h"
-#include "run/simulation.h"
 #include "run/tear_report.h"
 #include "scene/path.h"
+#include "simulation/simulation.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

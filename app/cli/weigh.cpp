@@ -1,10 +1,10 @@
 // ripstop-cli weigh: gives particles the mass that the densities of their materials say.
 #include "scene/weigh.h"
 
+#include "check/check.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
-#include "scene/check.h"
 #include "terminal/terminal.h"
 
 #include <iostream>

@@ -6,9 +6,9 @@
 #pragma once
 
 #include "author/design_figures.h"
-#include "author/insert.h"
 #include "author/rebuild.h"
 #include "document/worker.h"
+#include "shaping/insert.h"
 
 #include <memory>
 

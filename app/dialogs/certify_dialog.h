@@ -1,12 +1,12 @@
-// Tells which digits of the probes hold (run/certificate.h): a table of them, and a chart of the
-// one that is selected, in a band of what it may be off by.
+// Tells which digits of the probes hold (recording/certificate.h): a table of them, and a chart of
+// the one that is selected, in a band of what it may be off by.
 //
 // It certifies the design as it is when the button is pressed, on threads of its own with a bar
 // that can be cancelled; what was found stays until then. It lives on the thread of the window and
 // deletes itself when it is closed. Dialogs::showCertify() opens it.
 #pragma once
 
-#include "run/certificate.h"
+#include "recording/certificate.h"
 
 #include <QDialog>
 

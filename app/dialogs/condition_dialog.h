@@ -2,12 +2,12 @@
 // and the list of properties that can be asked for.
 //
 // It stays open beside the window, counts again when the design changes, and follows the run a few
-// times a second. What a condition may say is in author/condition.h. It lives on the thread of the
+// times a second. What a condition may say is in select/condition.h. It lives on the thread of the
 // window; Dialogs::showCondition() opens it.
 #pragma once
 
-#include "author/condition.h"
-#include "run/frame.h"
+#include "select/condition.h"
+#include "simulation/frame.h"
 
 #include <QDialog>
 #include <QTimer>

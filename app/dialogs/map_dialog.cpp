@@ -1,12 +1,12 @@
-// The list of numbers is made of what is selected when the dialog opens. look() tries the formula at
-// each change and says what it gives; accept() makes the map.
+// The list of numbers is made of what is selected when the dialog opens. look() tries the formula
+// at each change and says what it gives; accept() makes the map.
 #include "dialogs/map_dialog.h"
 
-#include "author/elements.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "icons/icon.h"
+#include "select/elements.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -1,11 +1,11 @@
 // Maps on the selected elements: a number of theirs as a formula of where they lie, or of a picture
-// (author/element_map.h).
+// (select/element_map.h).
 //
 // What the formula gives is counted while it is typed; the map is one step of undo. It lives on the
 // thread of the window.
 #pragma once
 
-#include "author/element_map.h"
+#include "select/element_map.h"
 
 #include <QDialog>
 

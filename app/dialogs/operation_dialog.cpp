@@ -4,12 +4,12 @@
 // ordinary edit, so that nothing depends on whether a preview stood there.
 #include "dialogs/operation_dialog.h"
 
-#include "author/element_counts.h"
-#include "author/movable.h"
 #include "dialogs/beside.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "select/element_counts.h"
+#include "shaping/movable.h"
 #include "start/parameter_form.h"
 
 #include <QCheckBox>

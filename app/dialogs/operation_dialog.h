@@ -1,4 +1,4 @@
-// Asks for the parameters of an operation (author/operation.h) on what was selected when it
+// Asks for the parameters of an operation (shaping/operation.h) on what was selected when it
 // opened.
 //
 // The design shows the outcome while the dialog is open, as a gesture in the history; accepted,
@@ -8,7 +8,7 @@
 // modal.
 #pragma once
 
-#include "author/operation.h"
+#include "shaping/operation.h"
 
 #include <QDialog>
 #include <QTimer>

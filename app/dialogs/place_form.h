@@ -5,7 +5,7 @@
 // for.
 #pragma once
 
-#include "author/insert.h"
+#include "shaping/insert.h"
 
 #include <QGroupBox>
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "author/rigidity.h"
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <QDialog>
 #include <QTimer>

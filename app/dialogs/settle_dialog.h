@@ -6,7 +6,7 @@
 // window, and deletes itself when it is closed. Dialogs::showSettle() opens it.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <QDialog>
 

@@ -5,14 +5,14 @@
 // than the tables do.
 #include "editor/table_texts.h"
 
-#include "author/measure.h"
-#include "author/operation.h"
 #include "base/quantity.h"
 #include "builders/builder.h"
 #include "document/measurement.h"
 #include "document/words.h"
 #include "export/format.h"
 #include "materials/presets.h"
+#include "select/measure.h"
+#include "shaping/operation.h"
 #include "start/samples.h"
 #include "verify/case.h"
 #include "verify/reference.h"

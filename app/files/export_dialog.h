@@ -9,7 +9,7 @@
 
 #include "files/export_choice.h"
 #include "files/film_look.h"
-#include "run/recording.h"
+#include "recording/recording.h"
 #include "scene/scene.h"
 
 #include <QDialog>

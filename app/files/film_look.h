@@ -4,7 +4,7 @@
 // It paints on a QImage, on the calling thread.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <QImage>
 #include <QSize>

@@ -5,7 +5,7 @@
 // time, hands and work, goes over as it is. It cannot fail: what the new system has no place for is
 // dropped, and what is new begins as the start of the new system says.
 //
-// DerivedSystem (run/derived_system.h) calls it on the thread that steps, between steps.
+// DerivedSystem (simulation/derived_system.h) calls it on the thread that steps, between steps.
 #pragma once
 
 #include "system/system.h"

@@ -2,7 +2,7 @@
 // for each part.
 #include "author/carry_fabric.h"
 
-#include "scene/panel_fabric.h"
+#include "derived/panel_fabric.h"
 
 #include <algorithm>
 #include <map>

@@ -6,8 +6,8 @@
 // name, with or without the number that made it a free one, and by what they point at.
 #pragma once
 
-#include "author/transform.h"
 #include "scene/scene.h"
+#include "shaping/transform.h"
 
 #include <map>
 

@@ -1,8 +1,8 @@
 #include "author/design_figures.h"
 
-#include "author/insert.h"
-#include "author/net.h"
-#include "scene/cloth_area.h"
+#include "derived/cloth_area.h"
+#include "select/net.h"
+#include "shaping/insert.h"
 
 #include <algorithm>
 #include <cmath>

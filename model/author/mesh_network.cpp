@@ -7,7 +7,7 @@
 // 4. Panels and the mass of the fabric come last. A cancelled import stops between stages.
 #include "author/mesh_network.h"
 
-#include "scene/link_stiffness.h"
+#include "derived/link_stiffness.h"
 
 #include <Eigen/Geometry>
 

@@ -9,7 +9,7 @@
 #include "author/rebuild.h"
 
 #include "author/counterparts.h"
-#include "author/group.h"
+#include "select/group.h"
 
 #include <algorithm>
 #include <set>

@@ -8,8 +8,8 @@
 // 4. withBraces() draws them.
 #include "author/rigidity.h"
 
-#include "author/drawing.h"
-#include "author/movable.h"
+#include "shaping/drawing.h"
+#include "shaping/movable.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

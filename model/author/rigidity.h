@@ -5,14 +5,14 @@
 // nothing new are redundant. With n free particles and b links: modes - redundant = 3 n - b - rigid
 // motions (Maxwell 1864; Calladine 1978, with states of self-stress for the redundant ones).
 //
-// A particle on a guide (base/guide.h) has one way to go along a line, two in a plane.
+// A particle on a guide (laws/guide.h) has one way to go along a line, two in a plane.
 //
 // Every link counts as one that resists both ways. A flat network always gives way across its
 // plane: only something out of the plane, as rigidity particles are, can hold it.
 #pragma once
 
-#include "base/guide.h"
 #include "base/result.h"
+#include "laws/guide.h"
 #include "scene/edit.h"
 
 #include <Eigen/Core>

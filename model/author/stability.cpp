@@ -5,10 +5,10 @@
 // finding that can be repaired has the edit with it. Warnings are sorted to the front.
 #include "author/stability.h"
 
-#include "author/net.h"
-#include "scene/link_stiffness.h"
-#include "scene/panel_fabric.h"
-#include "scene/step_limits.h"
+#include "check/step_limits.h"
+#include "derived/link_stiffness.h"
+#include "derived/panel_fabric.h"
+#include "select/net.h"
 
 #include <algorithm>
 #include <cmath>

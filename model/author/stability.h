@@ -7,7 +7,7 @@
 // where it is found.
 #pragma once
 
-#include "scene/finding.h"
+#include "check/finding.h"
 
 namespace ripstop {
 

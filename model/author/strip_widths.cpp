@@ -2,8 +2,8 @@
 // cells, and gives each link its width. A link is a side before it is a diagonal.
 #include "author/strip_widths.h"
 
-#include "scene/link_stiffness.h"
-#include "scene/panel_fabric.h"
+#include "derived/link_stiffness.h"
+#include "derived/panel_fabric.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "author/targets.h"
 
-#include "author/elements.h"
-#include "author/spread_mass.h"
+#include "select/elements.h"
+#include "shaping/spread_mass.h"
 
 #include <Eigen/Geometry>
 

@@ -7,8 +7,8 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
+#include "check/check.h"
 #include "materials/presets.h"
-#include "scene/check.h"
 #include "scene/weigh.h"
 
 #include <algorithm>

@@ -8,8 +8,8 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
-#include "scene/check.h"
-#include "scene/link_stiffness.h"
+#include "check/check.h"
+#include "derived/link_stiffness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,8 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     material.tearRule = p.at("tear") > 0.0 ? TearRule::Strain : TearRule::Never;
     material.tearLimit = p.at("tear") > 0.0 ? p.at("tear") : material.tearLimit;
     const bool byPanels = p.at("panels") > 0.0;
-    const double membrane = p.at("membrane") > 0.0 || !byPanels ? p.at("membrane") : p.at("stiffness");
+    const double membrane =
+        p.at("membrane") > 0.0 || !byPanels ? p.at("membrane") : p.at("stiffness");
     if (membrane > 0.0) {
         material.membraneStiffness = membrane;
         if (p.at("shear") > 0.0)

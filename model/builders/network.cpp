@@ -4,7 +4,7 @@
 // from these numbers alone.
 #include "builders/network.h"
 
-#include "scene/flat_panel.h"
+#include "derived/flat_panel.h"
 
 #include <Eigen/Geometry>
 

@@ -7,8 +7,8 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
-#include "scene/check.h"
-#include "scene/link_stiffness.h"
+#include "check/check.h"
+#include "derived/link_stiffness.h"
 
 #include <algorithm>
 #include <cmath>

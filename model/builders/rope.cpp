@@ -5,7 +5,7 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
-#include "scene/check.h"
+#include "check/check.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Sums the load of the air on a part at rest. Each panel adds its normal force (linear-normal law)
 // and its skin friction at its centroid. Panels with the vortex law add their skin friction only;
 // wings are then found among all of them, and their loads come from the functions that the engine
-// uses (base/vortex_wing.h), because a panel of a wing alone does not know its circulation.
+// uses (laws/vortex_wing.h), because a panel of a wing alone does not know its circulation.
 #include "builders/statics.h"
 
-#include "base/vortex_wing.h"
+#include "laws/vortex_wing.h"
 
 #include <Eigen/Geometry>
 

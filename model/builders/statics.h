@@ -3,7 +3,7 @@
 // Builders use it to place what a craft hangs from and to start it in trim. Known here is what
 // flying designs are built with, the linear-normal law,
 //     F = 1/2 rho A (Ca |w| (n.w) n + Cf |wt| wt),   w the wind that the panel feels, m/s,
-// and the vortex law (base/vortex_wing.h).
+// and the vortex law (laws/vortex_wing.h).
 #pragma once
 
 #include "base/angle.h"

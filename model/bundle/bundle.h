@@ -13,7 +13,7 @@
 #include "bundle/manifest.h"
 #include "bundle/temporary_folder.h"
 #include "export/frame_source.h"
-#include "run/replay.h"
+#include "recording/replay.h"
 
 #include <filesystem>
 #include <functional>

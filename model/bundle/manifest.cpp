@@ -10,7 +10,7 @@
 
 #include "base/hash_text.h"
 #include "io/whole_file.h"
-#include "run/packed.h"
+#include "recording/packed.h"
 
 #include <nlohmann/json.hpp>
 

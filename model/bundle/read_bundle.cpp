@@ -13,7 +13,7 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <fstream>
 

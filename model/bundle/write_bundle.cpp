@@ -10,14 +10,14 @@
 #include "bundle/readme.h"
 #include "bundle/zip_file.h"
 #include "compile/compile.h"
+#include "derived/collider_shape.h"
 #include "export/export_run.h"
 #include "export/format.h"
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
-#include "run/recorder.h"
-#include "run/simulation.h"
-#include "scene/collider_shape.h"
+#include "recording/recorder.h"
+#include "simulation/simulation.h"
 
 #include <algorithm>
 #include <cmath>

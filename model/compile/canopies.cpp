@@ -1,5 +1,5 @@
 #include "compile/resolve.h"
-#include "scene/canopy_shape.h"
+#include "derived/canopy_shape.h"
 
 #include <algorithm>
 

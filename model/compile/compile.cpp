@@ -5,11 +5,11 @@
 
 #include "assembly/finish.h"
 #include "base/key_index.h"
+#include "check/check.h"
+#include "check/step_limits.h"
 #include "compile/resolve.h"
 #include "constraints/rod_order.h"
-#include "scene/check.h"
-#include "scene/flat_panel.h"
-#include "scene/step_limits.h"
+#include "derived/flat_panel.h"
 
 #include <span>
 

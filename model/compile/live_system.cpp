@@ -3,10 +3,10 @@
 // checking it for errors.
 #include "compile/live_system.h"
 
+#include "check/step_limits.h"
 #include "compile/compile.h"
 #include "compile/patch.h"
 #include "scene/element_index.h"
-#include "scene/step_limits.h"
 #include "system/system_memory.h"
 
 #include <algorithm>

@@ -8,8 +8,8 @@
 // that it hands out are constant and may go to any other.
 #pragma once
 
+#include "check/check.h"
 #include "compile/update.h"
-#include "scene/check.h"
 #include "scene/edit.h"
 
 #include <cstdint>

@@ -5,8 +5,8 @@
 
 #include "assembly/finish.h"
 #include "constraints/guides.h"
+#include "derived/tear_bounds.h"
 #include "forces/forces.h"
-#include "scene/tear_bounds.h"
 
 #include <algorithm>
 

@@ -4,12 +4,12 @@
 #include "compile/resolve.h"
 
 #include "base/quantity.h"
+#include "derived/collider_shape.h"
+#include "derived/formula.h"
+#include "derived/link_stiffness.h"
+#include "derived/tear_bounds.h"
 #include "forces/gusts.h"
 #include "scene/collider_path.h"
-#include "scene/collider_shape.h"
-#include "scene/formula.h"
-#include "scene/link_stiffness.h"
-#include "scene/tear_bounds.h"
 #include "scene/wind.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // the passes over all of them.
 #pragma once
 
-#include "base/link_laws.h"
 #include "base/vec3.h"
+#include "laws/link_laws.h"
 #include "parallel/simd_pack.h"
 
 #include <algorithm>

@@ -24,7 +24,7 @@
 // substeps, and what it leaves is of second order. Which lines and struts act is decided anew in
 // each (primal-dual active sets: Hintermueller, Ito and Kunisch 2002).
 //
-// A particle on a guide (base/guide.h) moves by P: its rows and columns of the matrix are
+// A particle on a guide (laws/guide.h) moves by P: its rows and columns of the matrix are
 // multiplied by P on either side but for its mass. What the system gives is exact for it as well.
 //
 // Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. Chains and small

@@ -1,5 +1,5 @@
 // Panels that carry the pull of a fabric, as the direct solver has them (direct_solver.h):
-// triangles of constant strain with the law of base/cloth_law.h.
+// triangles of constant strain with the law of laws/cloth_law.h.
 //
 // A panel adds h^2 A w(e) to the sum that is minimised, w being the energy per area at Green's
 // strain e. Its block of the matrix is that of Newton's method: B^T C B for the law, and the

@@ -1,4 +1,4 @@
-// Rods that end at a particle on a guide (base/guide.h).
+// Rods that end at a particle on a guide (laws/guide.h).
 //
 // The rod pulls along its direction n, and the guide lets its particle follow along P n only. So
 // the ends come nearer by c = (w_a P_a + w_b P_b) n per multiplier, and XPBD's weight is n c

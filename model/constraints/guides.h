@@ -1,4 +1,4 @@
-// Keeps particles on their guides (base/guide.h).
+// Keeps particles on their guides (laws/guide.h).
 //
 // Forces across a guide are dropped before particles are integrated, rods move what is on one along
 // it only, and what a substep did across it in any other way - rounding, a push of fabric - is

@@ -1,6 +1,6 @@
 #include "constraints/rod_damping.h"
 
-#include "base/link_laws.h"
+#include "laws/link_laws.h"
 
 namespace ripstop {
 namespace {

@@ -1,6 +1,6 @@
 // Bends of spars whose rods are solved together, as the direct solver has them (direct_solver.h).
 //
-// A bend with the turn y (base/bend.h) adds h^2 k (|y| - y_0)^2 / 2 to the sum that is minimised,
+// A bend with the turn y (laws/bend.h) adds h^2 k (|y| - y_0)^2 / 2 to the sum that is minimised,
 // y_0 being the turn that the spar is built with. Its block of the matrix is J^T S J (Gauss and
 // Newton), J being how y changes with the corners and S how the moment does with y: the slope along
 // y, and across it what the turn pulls with, but not less than 0. What is left out is that J turns
@@ -10,7 +10,7 @@
 //
 // As a force that is known at the start of a substep, bending would bound the substep by l^2
 // sqrt(m / EI) or so, l and m being the length and the mass of a link; and a spar that is bent far
-// would not come to rest (base/bend.h).
+// would not come to rest (laws/bend.h).
 #pragma once
 
 #include "constraints/triple.h"

@@ -2,8 +2,8 @@
 // colour it has.
 #pragma once
 
-#include "run/frame.h"
 #include "scene/scene.h"
+#include "simulation/frame.h"
 
 #include <array>
 #include <string>

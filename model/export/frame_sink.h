@@ -4,8 +4,8 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "run/certificate.h"
-#include "run/frame.h"
+#include "recording/certificate.h"
+#include "simulation/frame.h"
 
 #include <optional>
 

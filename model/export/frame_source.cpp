@@ -9,9 +9,9 @@
 #include "export/frame_source.h"
 
 #include "compile/compile.h"
-#include "run/input_player.h"
-#include "run/recorder.h"
-#include "run/simulation.h"
+#include "recording/input_player.h"
+#include "recording/recorder.h"
+#include "simulation/simulation.h"
 #include "system/moment.h"
 
 #include <algorithm>

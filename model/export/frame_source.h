@@ -7,7 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "io/control_track.h"
-#include "run/recording.h"
+#include "recording/recording.h"
 
 #include <cstdint>
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace ripstop {
 
-struct Certificate; // run/certificate.h
+struct Certificate; // recording/certificate.h
 class Recorder;
 class Simulation;
 
@@ -68,7 +68,7 @@ private:
 Result<std::unique_ptr<FrameSource>> flightOf(const Scene& scene, ControlTrack controls);
 
 // Takes steps that a recording has a frame of from there, places to some tenths of a micrometre
-// (run/run_chunk.h), and computes the others again from the exact states, to the bit.
+// (recording/run_chunk.h), and computes the others again from the exact states, to the bit.
 class RecordedFrames final : public FrameSource
 {
 public:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "export/output_files.h"
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <memory>
 #include <vector>

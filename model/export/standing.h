@@ -1,7 +1,7 @@
 // What is still whole in a frame, for formats that leave out torn links and panels that are gone.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "export/appearance.h"
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <array>
 #include <vector>

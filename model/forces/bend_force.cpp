@@ -1,7 +1,7 @@
 // Bending of the fabric and spars of a system, as far as it is a force.
 //
 // BendForce::list() describes a finished system as a network of panels and links and lets
-// bendsAndPanelsOf() (base/bend.h) find the bends. fillBends() goes over the panels three times, as
+// bendsAndPanelsOf() (laws/bend.h) find the bends. fillBends() goes over the panels three times, as
 // each needs of those beside it what the time before has found: their normals N = X / |X| with
 // X = (b - a) x (c - a), then moments B A G, and then loads. A moment M on the normal is
 // Q = (M - N (N . M)) / |X| on X, and with it Q x e on a corner, e being the side across from it.

@@ -1,4 +1,4 @@
-// Forces of bending (base/bend.h): the slope of its energy, to the bit of rounding. As that does
+// Forces of bending (laws/bend.h): the slope of its energy, to the bit of rounding. As that does
 // not change where all moves or turns together, the forces have neither a sum nor a torque.
 #pragma once
 

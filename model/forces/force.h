@@ -121,7 +121,7 @@ public:
     // Whether some of it is no force, but solved together with the rods.
     virtual bool joinsRods(const System&) const { return false; }
 
-    // Adds what it asks of the step (base/step_limit.h) at each particle.
+    // Adds what it asks of the step (laws/step_limit.h) at each particle.
     //   stiffness, damping  [particles]  N/m, N s/m
     virtual void addStiffness(const System&, std::span<double>, std::span<double>) const {}
 

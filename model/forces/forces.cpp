@@ -2,9 +2,9 @@
 // an edit, how long a substep may be for what is stiff, and what they take from motion.
 #include "forces/forces.h"
 
-#include "base/step_limit.h"
 #include "forces/gusts.h"
 #include "forces/spring_force.h"
+#include "laws/step_limit.h"
 
 #include <algorithm>
 #include <limits>

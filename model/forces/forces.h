@@ -43,7 +43,7 @@ const Forces& knownForces();
 // not beside a step.
 bool listForces(System& system, const Edited& edited);
 
-// The longest substep, s, at which all that is stiff is sure to be stable (base/step_limit.h);
+// The longest substep, s, at which all that is stiff is sure to be stable (laws/step_limit.h);
 // infinite where nothing bounds the substep.
 double stiffStepLimit(const System& system);
 

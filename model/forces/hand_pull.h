@@ -8,7 +8,7 @@
 // what a substep of h would overshoot is left out.
 //
 // A hand must not be what blows up a step: k is lowered where (h w)^2 + 2 h c / m would leave what
-// the springs at the grip leave of the limit of 4 (base/step_limit.h). Rods do not count, as they
+// the springs at the grip leave of the limit of 4 (laws/step_limit.h). Rods do not count, as they
 // are projected.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Wings of a system: fabric with the vortex law (base/vortex_wing.h).
+// Wings of a system: fabric with the vortex law (laws/vortex_wing.h).
 //
 // A wing is found when forces list what they derive (system/force_lists.h): its strips depend on
 // where particles start. In a step WingLoads gathers what each panel of a wing is and meets, lets
@@ -6,7 +6,7 @@
 // as plates.
 #pragma once
 
-#include "base/vortex_wing.h"
+#include "laws/vortex_wing.h"
 #include "system/system.h"
 
 #include <span>

@@ -2,7 +2,7 @@
 // error, the half of the band that it may be off by.
 #pragma once
 
-#include "run/certificate.h"
+#include "recording/certificate.h"
 
 #include <string>
 

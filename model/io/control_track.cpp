@@ -12,9 +12,9 @@
 #include "io/hand_rows.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
-#include "run/commands.h"
-#include "run/simulation.h"
 #include "scene/property.h"
+#include "simulation/commands.h"
+#include "simulation/simulation.h"
 
 #include <algorithm>
 #include <numeric>

@@ -6,8 +6,8 @@
 
 #include "base/hands.h"
 #include "base/result.h"
-#include "run/frame.h"
 #include "scene/scene.h"
+#include "simulation/frame.h"
 
 #include <filesystem>
 #include <vector>

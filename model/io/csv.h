@@ -4,8 +4,8 @@
 
 #include "base/new_file.h"
 #include "base/result.h"
-#include "run/certificate.h"
-#include "run/frame.h"
+#include "recording/certificate.h"
+#include "simulation/frame.h"
 
 #include <chrono>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "run/run_event.h"
+#include "recording/run_event.h"
 #include "scene/scene.h"
 
 #include <filesystem>

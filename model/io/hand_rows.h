@@ -14,7 +14,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "run/hand_track.h"
+#include "simulation/hand_track.h"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "io/recording_bounds.h"
 
-#include "run/packed.h"
+#include "recording/packed.h"
 
 #include <algorithm>
 #include <cmath>

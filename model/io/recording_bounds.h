@@ -2,7 +2,7 @@
 // steps computed that nobody has recorded.
 #pragma once
 
-#include "run/recording.h"
+#include "recording/recording.h"
 
 #include <cstdint>
 #include <optional>

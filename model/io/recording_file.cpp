@@ -7,8 +7,8 @@
 #include "io/recording_bounds.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
-#include "run/packed.h"
-#include "run/run_fields.h"
+#include "recording/packed.h"
+#include "recording/run_fields.h"
 
 #include <algorithm>
 #include <array>

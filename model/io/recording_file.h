@@ -13,7 +13,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "run/recording.h"
+#include "recording/recording.h"
 
 #include <filesystem>
 #include <memory>

@@ -2,9 +2,9 @@
 // elements would take gigabytes.
 #include "io/scene_file.h"
 
+#include "derived/collider_shape.h"
 #include "io/json_text.h"
 #include "io/json_value.h"
-#include "scene/collider_shape.h"
 #include "scene/property.h"
 
 #include <array>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/result.h"
-#include "run/frame.h"
 #include "scene/scene.h"
+#include "simulation/frame.h"
 
 #include <filesystem>
 #include <span>

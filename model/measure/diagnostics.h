@@ -3,7 +3,7 @@
 // them; none fails.
 #pragma once
 
-#include "base/panel_pull.h"
+#include "laws/panel_pull.h"
 #include "system/system.h"
 
 #include <span>

@@ -3,10 +3,10 @@
 // where it wrinkles, so that a bound of a few operations passes over the panels that do not matter.
 #include "measure/margins.h"
 
-#include "base/bend.h"
 #include "base/joined_sets.h"
 #include "forces/bend_force.h"
 #include "forces/spring_force.h"
+#include "laws/bend.h"
 #include "system/membrane.h"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ Loaded loadedPanel(const System& system, const State& state, const Membrane& mem
 
 // What neither the warp nor the weft of a panel is nearer to its strength than. Where the largest
 // principal strain is e, the strain e in all directions is the strain there and what wrinkles could
-// take up of it, so that the relaxed energy W (base/cloth_law.h) is at most that of a taut cloth
+// take up of it, so that the relaxed energy W (laws/cloth_law.h) is at most that of a taut cloth
 // strained so, e^2 (warp + 2 coupling + weft) / 2. A tension of the energy W has no component
 // beyond sqrt(2 W stiffness), and its threads no strain beyond sqrt(2 W compliance).
 double mostMargin(const System& system, const State& state, const Membrane& membrane,

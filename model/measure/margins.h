@@ -1,9 +1,9 @@
-// Load over strength of every place of a design (base/load_margin.h): of lines and spars by their
+// Load over strength of every place of a design (laws/load_margin.h): of lines and spars by their
 // pull, of threads and elastic panels by their pull per width, of spars by their bending moment
 // too. Colours, probes, tables and the panel of loads all have their margins from here.
 //
 // A thread does not say whether it is warp or weft, so that the weaker of both counts. The moment
-// of a spar is the slope of its energy over the angle between two links (base/bend.h); it belongs
+// of a spar is the slope of its energy over the angle between two links (laws/bend.h); it belongs
 // to both. What has torn bears nothing, and what pushes is not judged: buckling is no strength.
 #pragma once
 

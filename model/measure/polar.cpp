@@ -7,8 +7,8 @@
 // coefficients, from which rowOf() makes lift and drag.
 #include "measure/polar.h"
 
-#include "base/vortex_wing.h"
 #include "forces/panel_load.h"
+#include "laws/vortex_wing.h"
 
 #include <Eigen/Geometry>
 

@@ -4,8 +4,8 @@
 #include "run/certify.h"
 
 #include "compile/compile.h"
-#include "run/recorder.h"
-#include "run/simulation.h"
+#include "recording/recorder.h"
+#include "simulation/simulation.h"
 
 #include <atomic>
 #include <cmath>

@@ -1,9 +1,10 @@
-// Finds the certificate of a scene by flying it three times (run/certificate.h), on two threads.
+// Finds the certificate of a scene by flying it three times (recording/certificate.h), on two
+// threads.
 #pragma once
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "run/certificate.h"
+#include "recording/certificate.h"
 #include "scene/scene.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #include "run/end_check.h"
 
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Whether anything in a frame has a strength, and with it a margin. Any thread may ask.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <algorithm>
 #include <cmath>

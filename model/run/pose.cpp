@@ -4,7 +4,7 @@
 #include "run/pose.h"
 
 #include "assembly/split_system.h"
-#include "run/torn_system.h"
+#include "simulation/torn_system.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,8 +2,8 @@
 // command line do. It looks at values only and may be called from any thread.
 #pragma once
 
-#include "run/frame.h"
 #include "scene/edit.h"
+#include "simulation/frame.h"
 
 #include <cstddef>
 

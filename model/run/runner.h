@@ -19,9 +19,9 @@
 
 #include "base/hands.h"
 #include "compile/update.h"
-#include "run/commands.h"
-#include "run/frame.h"
 #include "run/settle.h"
+#include "simulation/commands.h"
+#include "simulation/frame.h"
 
 #include <cstddef>
 #include <memory>

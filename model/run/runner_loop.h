@@ -13,10 +13,10 @@
 // All of it runs on one thread, that of the runner; RunnerMail is where it meets the others.
 #pragma once
 
-#include "run/recorder.h"
+#include "recording/recorder.h"
 #include "run/runner_clock.h"
 #include "run/settle.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <optional>
 #include <stop_token>

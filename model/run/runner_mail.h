@@ -4,10 +4,10 @@
 #pragma once
 
 #include "compile/update.h"
-#include "run/commands.h"
-#include "run/frame.h"
 #include "run/latest_value.h"
 #include "run/settle.h"
+#include "simulation/commands.h"
+#include "simulation/frame.h"
 
 #include <atomic>
 #include <chrono>

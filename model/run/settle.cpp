@@ -1,7 +1,7 @@
 #include "run/settle.h"
 
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <algorithm>
 #include <cmath>

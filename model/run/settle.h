@@ -7,7 +7,7 @@
 // change where things hang, but the way there is no motion of the real thing.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <cstdint>
 

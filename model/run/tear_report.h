@@ -2,7 +2,7 @@
 // of what a frame has, on any thread.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <span>
 

@@ -4,17 +4,17 @@
 // stand in the property table (property.cpp), which files, forms and the manual are made from.
 #pragma once
 
-#include "base/air_laws.h"
-#include "base/cloth_law.h"
-#include "base/contact_laws.h"
 #include "base/control_kind.h"
-#include "base/guide.h"
-#include "base/link_laws.h"
 #include "base/plot_axis.h"
 #include "base/quantity.h"
-#include "base/solver_laws.h"
 #include "base/vec3.h"
 #include "base/wind_kind.h"
+#include "laws/air_laws.h"
+#include "laws/cloth_law.h"
+#include "laws/contact_laws.h"
+#include "laws/guide.h"
+#include "laws/link_laws.h"
+#include "laws/solver_laws.h"
 #include "scene/id.h"
 
 #include <array>
@@ -60,7 +60,7 @@ struct Link
     std::optional<double> stiffness;  // N/m, springs
     std::optional<double> damping;    // N s/m, springs
     std::optional<double> compliance; // m/N, rods
-    std::optional<double> tearLimit;  // as the material's tear rule says (scene/tear_bounds.h)
+    std::optional<double> tearLimit;  // as the material's tear rule says (derived/tear_bounds.h)
 
     friend bool operator==(const Link&, const Link&) = default;
 };
@@ -127,7 +127,7 @@ struct Material
     std::optional<double> weftStiffness;     // N/m, E t across it, of panels; absent, as along
     double poissonRatio = 0.2;               // 1, of panels pulled along the warp
     bool resistsPushing = false;             // panels do, instead of wrinkling
-    double bendingStiffness = 0.0;           // N m, B of fabric; see base/bend.h
+    double bendingStiffness = 0.0;           // N m, B of fabric; see laws/bend.h
     double flexuralRigidity = 0.0;           // N m^2, EI of spars
     std::optional<double> arealDensity;      // kg/m^2, of fabric, as weighed into the particles
     std::optional<double> linearDensity;     // kg/m, of lines and spars, as weighed into them
@@ -142,8 +142,8 @@ struct Material
     double porosity = 0.0;                      // 1
     double diameter = 0.0;                      // m, of links as lines in the wind
     double dragCoefficient = 1.1;               // 1, of lines across the wind
-    // At what load it breaks, for margins (base/load_margin.h). A run depends on it where the tear
-    // rule is strength or energy (scene/tear_bounds.h).
+    // At what load it breaks, for margins (laws/load_margin.h). A run depends on it where the tear
+    // rule is strength or energy (derived/tear_bounds.h).
     std::optional<double> warpStrength;    // N/m, of fabric pulled along its warp
     std::optional<double> weftStrength;    // N/m, of fabric pulled across it
     std::optional<double> tearStrength;    // N, that a tear in the fabric needs to go on

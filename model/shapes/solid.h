@@ -6,12 +6,12 @@
 // it looks like and where it is met. A row is in the shape's own frame, around the origin and
 // before the collider's turn and place. Any thread may ask.
 //
-// A new shape is a name in base/contact_laws.h, its functions in a file of its own, and a row in
+// A new shape is a name in laws/contact_laws.h, its functions in a file of its own, and a row in
 // solid.cpp; the table does not compile without it.
 #pragma once
 
-#include "base/contact_laws.h"
 #include "base/message.h"
+#include "laws/contact_laws.h"
 #include "shapes/shape_surface.h"
 #include "shapes/touch.h"
 

@@ -1,8 +1,8 @@
 #include "step/watchdog.h"
 
 #include "assembly/split_system.h"
-#include "base/step_limit.h"
 #include "forces/spring_force.h"
+#include "laws/step_limit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 // (forces/forces.h).
 #pragma once
 
-#include "base/bend.h"
 #include "base/rows.h"
-#include "base/wing_strips.h"
+#include "laws/bend.h"
+#include "laws/wing_strips.h"
 #include "system/links.h"
 
 #include <memory>

@@ -2,12 +2,12 @@
 //
 // A link of the scene becomes a spring (a force, forces/spring_force.h) or a rod (a constraint,
 // constraints/rod_solver.h). A spring that is too stiff for a force becomes a rod of the same law,
-// with the compliance 1 / k and the damping time nu / k (scene/step_limits.h). Rods stand in the
+// with the compliance 1 / k and the damping time nu / k (check/step_limits.h). Rods stand in the
 // order of the sweeps; LinkPlace says which spring or rod a link became. What tears is told by
 // tearing/tearing.h.
 #pragma once
 
-#include "base/tear_limits.h"
+#include "laws/tear_limits.h"
 #include "system/key.h"
 
 #include <cstdint>

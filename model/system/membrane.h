@@ -1,11 +1,11 @@
 // What a panel that carries the pull of a fabric carries, where its corners are.
 //
 // A triangle of constant strain: the gradient of where the cloth has gone is the same all over it
-// (panels.h), and so are its strain and its tension (base/cloth_law.h). Damping of its material is
+// (panels.h), and so are its strain and its tension (laws/cloth_law.h). Damping of its material is
 // Kelvin and Voigt's, of what its threads stretch by; what wrinkles take up has none.
 #pragma once
 
-#include "base/panel_pull.h"
+#include "laws/panel_pull.h"
 #include "system/system.h"
 
 #include <array>

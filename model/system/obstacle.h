@@ -6,9 +6,9 @@
 // contact/contact.h.
 #pragma once
 
-#include "base/contact_laws.h"
 #include "base/path_key.h"
 #include "base/vec3.h"
+#include "laws/contact_laws.h"
 #include "shapes/solid.h"
 #include "system/key.h"
 

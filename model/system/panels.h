@@ -2,10 +2,10 @@
 //
 // Panels hold no numbers but their corners and the place of their air in System::materialAir, so
 // that panels of one material share them. The laws stand in forces/panel_load.h and
-// base/vortex_wing.h, the distances in contact/fabric_contact.h.
+// laws/vortex_wing.h, the distances in contact/fabric_contact.h.
 #pragma once
 
-#include "base/air_laws.h"
+#include "laws/air_laws.h"
 #include "system/key.h"
 
 #include <array>

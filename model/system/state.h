@@ -6,9 +6,9 @@
 // how it goes over into another system.
 #pragma once
 
-#include "base/cloth_law.h"
 #include "base/hands.h"
 #include "base/vec3.h"
+#include "laws/cloth_law.h"
 #include "system/canopy.h"
 #include "system/gust_spec.h"
 #include "system/links.h"
@@ -66,7 +66,7 @@ struct Work
 };
 
 // What an edit in flight changes of a link: these numbers go from what they were to what was typed
-// (run/ramps.h).
+// (simulation/ramps.h).
 struct Ramp
 {
     struct Numbers
@@ -88,7 +88,7 @@ struct Ramp
 };
 
 // The same of the law of a material's elastic panels, and of the cut of one of them
-// (run/cloth_ramps.h).
+// (simulation/cloth_ramps.h).
 struct ClothRamp
 {
     Key material;

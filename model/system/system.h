@@ -6,13 +6,13 @@
 #pragma once
 
 #include "base/airflow.h"
-#include "base/cloth_law.h"
-#include "base/guide.h"
-#include "base/load_margin.h"
 #include "base/quantity.h"
 #include "base/rows.h"
-#include "base/solver_laws.h"
 #include "base/vec3.h"
+#include "laws/cloth_law.h"
+#include "laws/guide.h"
+#include "laws/load_margin.h"
+#include "laws/solver_laws.h"
 #include "system/canopy.h"
 #include "system/force_lists.h"
 #include "system/gust_spec.h"

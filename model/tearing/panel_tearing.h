@@ -5,7 +5,7 @@
 // most times their limit are those that break.
 #pragma once
 
-#include "base/panel_pull.h"
+#include "laws/panel_pull.h"
 #include "system/system.h"
 
 namespace ripstop {

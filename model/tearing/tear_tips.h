@@ -10,7 +10,7 @@
 //
 //     g d,  g = sum of A (W grad q - (F - Q)^T F S grad q)
 //
-// A is the area of a panel, W and S its energy and tension (base/cloth_law.h), F the gradient of
+// A is the area of a panel, W and S its energy and tension (laws/cloth_law.h), F the gradient of
 // where it has gone, Q the turn of the fabric at the tip, and q is 1 at these particles and 0 at
 // all others. G is the length of g. This is Rice's J integral (1968) over the ring of panels around
 // them. It holds for each law and hangs on neither size nor shape of the panels, as the pull of a

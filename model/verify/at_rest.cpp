@@ -1,7 +1,7 @@
 #include "verify/at_rest.h"
 
 #include "compile/compile.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <limits>
 

@@ -9,7 +9,7 @@
 #include "forces/bend_force.h"
 #include "forces/forces.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/by_default.h"
 
 #include <Eigen/Geometry>

@@ -4,9 +4,9 @@
 // having chosen how.
 #pragma once
 
-#include "base/step_limit.h"
 #include "compile/resolve.h"
 #include "forces/spring_force.h"
+#include "laws/step_limit.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

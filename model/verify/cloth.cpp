@@ -3,7 +3,7 @@
 // In order: the modulus of a triangular lattice, measured by a pull and by its energy (M1); and
 // square sheets that hang, fall and swing (M7 to M9): largest strain, symmetry and energy.
 #include "assembly/finish.h"
-#include "base/step_limit.h"
+#include "laws/step_limit.h"
 #include "measure/diagnostics.h"
 #include "verify/by_default.h"
 

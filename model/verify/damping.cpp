@@ -4,7 +4,7 @@
 // masses, which must keep momentum; and the longest stable step of a chain of springs, against the
 // rule of the endless chain.
 #include "assembly/finish.h"
-#include "base/step_limit.h"
+#include "laws/step_limit.h"
 #include "measure/diagnostics.h"
 #include "verify/by_default.h"
 #include "verify/oscillator.h"

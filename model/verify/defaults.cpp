@@ -5,7 +5,7 @@
 // the stiffness alone. Viscosity lets them come to rest and changes nothing of where that is.
 #include "builders/builder.h"
 #include "compile/compile.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 #include "verify/text.h"

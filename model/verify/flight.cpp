@@ -8,7 +8,7 @@
 #include "compile/compile.h"
 #include "forces/panel_load.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

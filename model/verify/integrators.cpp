@@ -11,7 +11,7 @@
 #include "assembly/finish.h"
 #include "builders/network.h"
 #include "compile/compile.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/oscillator.h"
 
 #include <algorithm>

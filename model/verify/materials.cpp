@@ -6,7 +6,7 @@
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/by_default.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "builders/builder.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <limits>
 #include <memory>

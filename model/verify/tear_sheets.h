@@ -3,7 +3,7 @@
 // them.
 #pragma once
 
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/small_systems.h"
 
 namespace ripstop {

@@ -5,7 +5,6 @@
 // goes through the widgets of a window and lists in words what breaks a rule.
 #include "album/moments.h"
 
-#include "author/select.h"
 #include "builders/builder.h"
 #include "document/rescue.h"
 #include "editor/tour.h"
@@ -16,6 +15,7 @@
 #include "io/scene_file.h"
 #include "materials/presets.h"
 #include "scene/property.h"
+#include "select/select.h"
 #include "views/small_scenes.h"
 
 #include <QAbstractButton>

@@ -19,8 +19,8 @@
 #include "base/hash_text.h"
 #include "compile/compile.h"
 #include "io/scene_file.h"
-#include "run/simulation.h"
 #include "scene/path.h"
+#include "simulation/simulation.h"
 #include "verify/case.h"
 #include "verify/reference.h"
 

@@ -7,8 +7,8 @@
 
 #include "compile/compile.h"
 #include "io/control_track.h"
-#include "run/simulation.h"
-#include "run/torn_system.h"
+#include "simulation/simulation.h"
+#include "simulation/torn_system.h"
 #include "tools/hand_settings.h"
 #include "tools/pointing.h"
 

@@ -5,9 +5,9 @@
 // what must not depend on the language: files, and what is typed.
 #include "actions/keys_dialog.h"
 #include "app/window_shop.h"
-#include "author/operation.h"
 #include "author/stability.h"
 #include "builders/builder.h"
+#include "check/check.h"
 #include "dialogs/builder_dialog.h"
 #include "dialogs/operation_dialog.h"
 #include "document/words.h"
@@ -15,9 +15,9 @@
 #include "io/scene_file.h"
 #include "language/language.h"
 #include "materials/presets.h"
-#include "scene/check.h"
 #include "scene/typed_number.h"
 #include "scene/units.h"
+#include "shaping/operation.h"
 #include "views/run_with_view.h"
 
 #include <QAbstractItemView>

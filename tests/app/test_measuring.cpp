@@ -4,9 +4,9 @@
 // be measured; then the menu of a right click, and the peak in the legend.
 #include "app/sheet_shop.h"
 
-#include "author/measure.h"
 #include "overlays/legend.h"
 #include "overlays/probe_labels.h"
+#include "select/measure.h"
 
 #include <QStatusBar>
 

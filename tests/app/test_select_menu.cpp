@@ -2,13 +2,13 @@
 //
 // Stages: menu and keys choose tools and selections; switches say what the mouse takes; groups and
 // the dialog of conditions; the status bar; and the time for selections on 100 000 particles.
-#include "author/elements.h"
 #include "builders/builder.h"
 #include "dialogs/condition_dialog.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
+#include "select/elements.h"
 #include "tools/pointing.h"
 #include "viewport/viewport.h"
 #include "views/run_with_view.h"

@@ -4,7 +4,6 @@
 // Stages: the tests go on from each other on one window, in the order in which they stand: insert,
 // import, weld, tune, lasso, draw, fly; then all is undone and done again, and saved and opened.
 #include "app/window_shop.h"
-#include "author/elements.h"
 #include "builders/builder.h"
 #include "dialogs/builder_dialog.h"
 #include "dialogs/operation_dialog.h"
@@ -17,7 +16,8 @@
 #include "inspector/inspector.h"
 #include "io/scene_file.h"
 #include "model/meshes.h"
-#include "run/torn_system.h"
+#include "select/elements.h"
+#include "simulation/torn_system.h"
 #include "tools/pointing.h"
 #include "viewport/viewport.h"
 

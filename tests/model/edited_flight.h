@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compile/compile.h"
-#include "run/replay.h"
+#include "recording/replay.h"
 #include "system/fields.h"
 #include "system/moment.h"
 

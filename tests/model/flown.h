@@ -5,8 +5,8 @@
 #pragma once
 
 #include "compile/compile.h"
-#include "run/recorder.h"
-#include "run/simulation.h"
+#include "recording/recorder.h"
+#include "simulation/simulation.h"
 
 #include <functional>
 #include <memory>

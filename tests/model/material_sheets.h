@@ -9,7 +9,7 @@
 
 #include "builders/builder.h"
 #include "compile/compile.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

@@ -2,7 +2,7 @@
 // that tests can forge what is in them (io/recording_file.h has the form).
 #pragma once
 
-#include "run/packed.h"
+#include "recording/packed.h"
 
 #include <cstdint>
 #include <cstring>

@@ -7,7 +7,7 @@
 
 #include "compile/compile.h"
 #include "io/scene_file.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <QDir>
 #include <QString>

@@ -3,7 +3,7 @@
 #include "compile/compile.h"
 #include "io/scene_file.h"
 #include "model/cli_call.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "step/accuracy.h"
 
 #include <QTemporaryDir>

@@ -10,7 +10,7 @@
 #include "builders/network.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "step/accuracy.h"
 #include "step/solver_plan.h"
 

@@ -4,7 +4,7 @@
 #include "model/systems.h"
 
 #include "assembly/finish.h"
-#include "base/step_limit.h"
+#include "laws/step_limit.h"
 
 #include <QtTest>
 

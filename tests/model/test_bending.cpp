@@ -6,17 +6,17 @@
 #include "assembly/finish.h"
 #include "model/systems.h"
 
-#include "base/bend.h"
 #include "builders/builder.h"
 #include "builders/network.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "compile/patch.h"
 #include "forces/bend_force.h"
 #include "forces/forces.h"
+#include "laws/bend.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
-#include "scene/check.h"
+#include "simulation/simulation.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>

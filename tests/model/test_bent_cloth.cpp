@@ -7,10 +7,10 @@
 #include "assembly/finish.h"
 #include "model/systems.h"
 
-#include "base/bend.h"
 #include "forces/bend_force.h"
 #include "forces/force.h"
 #include "forces/forces.h"
+#include "laws/bend.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -309,7 +309,7 @@ private slots:
     }
 
     // 1 or more would not be stable at the limit. Where edges are as heavy as the rest nothing is
-    // to spare for what is squeezed both ways (base/bend.h).
+    // to spare for what is squeezed both ways (laws/bend.h).
     void stepLimitHoldsAtAnyShape()
     {
         for (const Mesh mesh : {Mesh::Alternating, Mesh::OneWay, Mesh::Equilateral})

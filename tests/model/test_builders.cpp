@@ -6,7 +6,7 @@
 // weight at the start.
 #include "builders/builder.h"
 #include "builders/statics.h"
-#include "scene/check.h"
+#include "check/check.h"
 
 #include <QtTest>
 

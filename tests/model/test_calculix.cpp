@@ -15,7 +15,7 @@
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
 #include "model/systems.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "system/membrane.h"
 
 #include <QFile>

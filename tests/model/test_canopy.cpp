@@ -8,13 +8,13 @@
 
 #include "assembly/carry_over.h"
 #include "builders/builder.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "derived/canopy_shape.h"
 #include "io/scene_file.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
-#include "scene/canopy_shape.h"
-#include "scene/check.h"
+#include "simulation/simulation.h"
 #include "verify/opening.h"
 
 #include <Eigen/Geometry>

@@ -2,9 +2,9 @@
 //
 // Stages: a sound scene has none; then each problem is made once and has to be found once; the
 // order and number of what is told; then the longest time step of springs, against chains by hand.
-#include "scene/check.h"
+#include "check/check.h"
 
-#include "base/step_limit.h"
+#include "laws/step_limit.h"
 
 #include "scene/edit.h"
 

@@ -1,6 +1,6 @@
-// The law of cloth in its plane (base/cloth_law.h): moduli off the axes, the tension as the
+// The law of cloth in its plane (laws/cloth_law.h): moduli off the axes, the tension as the
 // derivative of the energy, and wrinkling as the least energy that it is.
-#include "base/cloth_law.h"
+#include "laws/cloth_law.h"
 #include "model/systems.h"
 
 #include <QtTest>

@@ -6,7 +6,7 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/diagnostics.h"
-#include "run/cloth_ramps.h"
+#include "simulation/cloth_ramps.h"
 
 #include "edited_flight.h"
 #include "first_item.h"

@@ -4,16 +4,16 @@
 // flaws; then files of shapes beside the scene and in other folders; and colliders in a live scene
 // and under a control.
 #include "builders/builder.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "compile/patch.h"
+#include "derived/collider_shape.h"
 #include "io/scene_file.h"
 #include "model/systems.h"
-#include "run/simulation.h"
-#include "scene/check.h"
 #include "scene/collider_path.h"
-#include "scene/collider_shape.h"
 #include "scene/path.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

@@ -6,7 +6,7 @@
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -1,23 +1,23 @@
-// Copies, mirrors, arrays, welding, alignment and splitting (author/copy.h, author/align.h,
-// author/operation.h).
+// Copies, mirrors, arrays, welding, alignment and splitting (shaping/copy.h, shaping/align.h,
+// shaping/operation.h).
 //
 // Stages: a strip of two cells with known counts is copied and mirrored, then welded, weighed,
 // aligned and split; the numbers follow from counting its rows. after() checks for each edit that
 // undo and redo give the scenes back and that the outcome has no error. At the end every operation
 // is tried on designs of all builders, and a large design is timed.
-#include "author/copy.h"
+#include "shaping/copy.h"
 
-#include "author/align.h"
-#include "author/element_counts.h"
-#include "author/operation.h"
-#include "author/pin.h"
-#include "author/split.h"
-#include "author/spread_mass.h"
-#include "author/weld.h"
 #include "builders/builder.h"
+#include "check/check.h"
 #include "io/scene_file.h"
-#include "scene/check.h"
 #include "scene/element_index.h"
+#include "select/element_counts.h"
+#include "shaping/align.h"
+#include "shaping/operation.h"
+#include "shaping/pin.h"
+#include "shaping/split.h"
+#include "shaping/spread_mass.h"
+#include "shaping/weld.h"
 #include "thread_time.h"
 #include "views/small_scenes.h"
 

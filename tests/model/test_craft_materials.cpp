@@ -4,10 +4,10 @@
 // Stages: what is offered is in the library; an ideal kite is the paper's; then a real one, whose
 // mass is summed up by hand, flown at two resolutions and of every cloth.
 #include "builders/craft_materials.h"
+#include "check/check.h"
+#include "derived/cloth_area.h"
 #include "materials/presets.h"
 #include "model/sample_scenes.h"
-#include "scene/check.h"
-#include "scene/cloth_area.h"
 
 #include <QtTest>
 

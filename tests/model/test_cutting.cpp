@@ -7,12 +7,12 @@
 #include "model/systems.h"
 
 #include "builders/builder.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "measure/diagnostics.h"
 #include "run/pose.h"
-#include "run/simulation.h"
-#include "scene/check.h"
+#include "simulation/simulation.h"
 #include "verify/tear_sheets.h"
 
 #include <QTemporaryDir>

@@ -10,7 +10,7 @@
 #include "compile/compile.h"
 #include "io/scene_file.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <QDir>
 #include <QtTest>

@@ -10,7 +10,7 @@
 #include "compile/compile.h"
 #include "constraints/block_cholesky.h"
 #include "constraints/direct_choice.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <Eigen/Cholesky>
 

@@ -1,12 +1,12 @@
-// Drawing particles, links and panels, and the rigidity of what was drawn (author/drawing.h,
+// Drawing particles, links and panels, and the rigidity of what was drawn (shaping/drawing.h,
 // author/rigidity.h).
 //
 // Stages: first what a Drawing adds, and that it doubles nothing and can be undone; then ropes,
 // lines and rings; then floppy modes, counted on frames whose rigidity is known, with pins and the
 // fewest braces that make them rigid; and at last the glider of the paper, and refusals.
-#include "author/drawing.h"
 #include "author/rigidity.h"
 #include "builders/builder.h"
+#include "shaping/drawing.h"
 
 #include <QtTest>
 

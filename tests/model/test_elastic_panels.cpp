@@ -1,14 +1,14 @@
 // Panels that carry the pull of a fabric, through the whole program: what is conserved, what a cut
 // of the mesh changes, how they fly by default, and what is said of scenes that cannot be.
 #include "builders/builder.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "constraints/elastic_panels.h"
 #include "constraints/multigrid.h"
+#include "derived/flat_panel.h"
 #include "measure/diagnostics.h"
 #include "model/systems.h"
-#include "run/simulation.h"
-#include "scene/check.h"
-#include "scene/flat_panel.h"
+#include "simulation/simulation.h"
 #include "system/membrane.h"
 
 #include <QtTest>

@@ -1,12 +1,12 @@
-// Numbers of elements as formulas of where they lie (author/element_map.h).
+// Numbers of elements as formulas of where they lie (select/element_map.h).
 //
 // Stages: places of particles, links and panels; what a link has of its material; pictures; undo;
 // what is refused; and the command line.
 #include "model/material_sheets.h"
 
-#include "author/element_map.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
+#include "select/element_map.h"
 
 #include <QFile>
 #include <QProcess>

@@ -7,7 +7,7 @@
 #include "export/export_run.h"
 #include "export/surface.h"
 #include "model/sample_scenes.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -7,8 +7,8 @@
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"
-#include "run/run_chunk.h"
-#include "run/simulation.h"
+#include "recording/run_chunk.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

@@ -8,8 +8,8 @@
 #include "io/recording_file.h"
 #include "model/cli_call.h"
 #include "model/systems.h"
-#include "run/event_watch.h"
-#include "run/simulation.h"
+#include "recording/event_watch.h"
+#include "simulation/simulation.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -8,8 +8,8 @@
 #include "export/format.h"
 #include "io/csv.h"
 #include "model/files.h"
-#include "run/simulation.h"
 #include "scene/scene.h"
+#include "simulation/simulation.h"
 
 #include <QDir>
 #include <QFile>

@@ -8,7 +8,7 @@
 #include "io/recording_file.h"
 #include "model/cli_call.h"
 #include "model/flown.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <QDir>
 #include <QFile>

@@ -8,8 +8,8 @@
 #include "export/format.h"
 #include "model/files.h"
 #include "model/meshes.h"
-#include "run/simulation.h"
 #include "shapes/mesh_file.h"
+#include "simulation/simulation.h"
 
 #include <QDir>
 #include <QFile>

@@ -5,7 +5,7 @@
 #include "assembly/carry_over.h"
 #include "base/bytes.h"
 #include "measure/diagnostics.h"
-#include "run/run_fields.h"
+#include "recording/run_fields.h"
 
 #include <QtTest>
 

@@ -1,8 +1,8 @@
 // What `run --final` writes of a mesh that has split: a scene of its own.
+#include "check/check.h"
 #include "compile/compile.h"
 #include "io/scene_file.h"
-#include "run/simulation.h"
-#include "scene/check.h"
+#include "simulation/simulation.h"
 
 #include <QProcess>
 #include <QTemporaryDir>

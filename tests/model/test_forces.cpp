@@ -10,7 +10,7 @@
 
 #include "forces/forces.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -7,12 +7,12 @@
 #include "assembly/finish.h"
 #include "model/systems.h"
 
-#include "author/copy.h"
 #include "author/rigidity.h"
-#include "author/transform.h"
-#include "author/weld.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
+#include "shaping/copy.h"
+#include "shaping/transform.h"
+#include "shaping/weld.h"
 
 #include <QtTest>
 

@@ -14,7 +14,7 @@
 #include "io/control_track.h"
 #include "measure/diagnostics.h"
 #include "run/settle.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <Eigen/Geometry>
 

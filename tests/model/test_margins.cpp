@@ -1,13 +1,13 @@
 // How near to breaking lines, cloth and spars are: margins of loads that are known by hand, with
 // joints and a safety factor; what has no strength; and the worst places of a moment and of a run.
+#include "check/strength_gaps.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/margins.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "run/has_margins.h"
-#include "run/simulation.h"
-#include "scene/strength_gaps.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

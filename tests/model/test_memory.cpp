@@ -2,8 +2,8 @@
 //
 // Two sheets differ in the number of their rods only: bytes = a n + b m, solved for a and b.
 #include "compile/compile.h"
-#include "run/simulation.h"
 #include "scene/scene.h"
+#include "simulation/simulation.h"
 #include "step/stepper.h"
 
 #include <QtTest>

@@ -3,8 +3,8 @@
 // Stages: a cube and loose triangles become fabric; masses, styles of links and shear; the
 // stiffness of triangular fabric against theory; then objects and materials of the file, the edit
 // and its undo, refusals, cancelling, and the time for a large mesh.
+#include "check/check.h"
 #include "model/meshes.h"
-#include "scene/check.h"
 #include "shapes/mesh_file.h"
 
 #include <QElapsedTimer>

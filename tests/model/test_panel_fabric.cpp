@@ -1,15 +1,15 @@
 // Fabric of threads that becomes one of panels: it is the one that would have been imported so,
 // stretches as its numbers say, keeps what is no thread and what named the threads, and can be
 // taken back.
-#include "author/operation.h"
 #include "author/rebuild.h"
 #include "author/stability.h"
 #include "builders/builder.h"
+#include "check/check.h"
 #include "compile/compile.h"
+#include "derived/panel_fabric.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
-#include "scene/check.h"
-#include "scene/panel_fabric.h"
+#include "shaping/operation.h"
+#include "simulation/simulation.h"
 
 #include "cli_call.h"
 #include "first_item.h"

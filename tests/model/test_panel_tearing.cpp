@@ -2,14 +2,14 @@
 // there, and what rules say of links and panels.
 #include "assembly/carry_over.h"
 #include "assembly/split_system.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "derived/tear_bounds.h"
 #include "measure/diagnostics.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
-#include "run/simulation.h"
-#include "scene/check.h"
-#include "scene/tear_bounds.h"
+#include "simulation/simulation.h"
 #include "tearing/tear_opening.h"
 #include "tearing/tearing.h"
 

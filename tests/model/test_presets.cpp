@@ -7,13 +7,13 @@
 
 #include "builders/builder.h"
 #include "compile/compile.h"
+#include "derived/link_stiffness.h"
 #include "io/scene_file.h"
 #include "materials/presets.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
-#include "scene/link_stiffness.h"
 #include "scene/path.h"
 #include "scene/weigh.h"
+#include "simulation/simulation.h"
 
 #include <QFile>
 #include <QProcess>

@@ -3,10 +3,10 @@
 // Stages: readings of air on a plate, the reaction at a pin, free fall and strains, each with its
 // answer by hand; then formulas: their values, those that are refused, and those in a scene that
 // refer to each other.
+#include "check/check.h"
 #include "compile/compile.h"
-#include "run/simulation.h"
-#include "scene/check.h"
-#include "scene/formula.h"
+#include "derived/formula.h"
+#include "simulation/simulation.h"
 
 #include <Eigen/Geometry>
 

@@ -5,11 +5,11 @@
 // then flights: the canopy that collapses and the one that opens, its rate of descent, every cloth,
 // and the glider.
 #include "builders/builder.h"
+#include "check/check.h"
+#include "derived/cloth_area.h"
+#include "derived/flat_panel.h"
 #include "materials/presets.h"
 #include "model/sample_scenes.h"
-#include "scene/check.h"
-#include "scene/cloth_area.h"
-#include "scene/flat_panel.h"
 
 #include <QtTest>
 

@@ -4,11 +4,11 @@
 // again with the same and with each other parameter, where what was tuned by hand must stay; then
 // what is lost is counted, and parts are detached. after() checks undo for each edit. A new
 // builder is covered without a change here.
-#include "author/insert.h"
 #include "author/rebuild.h"
-#include "author/transform.h"
+#include "check/check.h"
 #include "io/scene_file.h"
-#include "scene/check.h"
+#include "shaping/insert.h"
+#include "shaping/transform.h"
 
 #include <QtTest>
 

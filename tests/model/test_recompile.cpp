@@ -7,8 +7,8 @@
 #include "model/rich_scene.h"
 #include "model/systems.h"
 #include "run/runner.h"
-#include "run/simulation.h"
-#include "run/torn_system.h"
+#include "simulation/simulation.h"
+#include "simulation/torn_system.h"
 #include "system/fields.h"
 
 #include <QtTest>

@@ -7,14 +7,14 @@
 #include "compile/compile.h"
 #include "io/recording_file.h"
 #include "measure/diagnostics.h"
-#include "run/compare_runs.h"
-#include "run/recorder.h"
-#include "run/replay.h"
+#include "recording/compare_runs.h"
+#include "recording/recorder.h"
+#include "recording/replay.h"
 
 #include "cli_call.h"
 #include "compile/update.h"
 #include "flown.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "system/moment.h"
 
 #include <QFile>

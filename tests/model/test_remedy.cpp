@@ -9,8 +9,8 @@
 #include "author/carry_fabric.h"
 #include "author/remedy.h"
 #include "author/strip_widths.h"
+#include "check/check.h"
 #include "materials/presets.h"
-#include "scene/check.h"
 #include "scene/element_index.h"
 
 #include <QtTest>

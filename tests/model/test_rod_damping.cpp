@@ -3,7 +3,7 @@
 #include "model/systems.h"
 
 #include "assembly/finish.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "step/solver_plan.h"
 
 #include <QtTest>

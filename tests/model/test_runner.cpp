@@ -8,7 +8,7 @@
 #include "measure/diagnostics.h"
 #include "run/latest_value.h"
 #include "run/runner.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

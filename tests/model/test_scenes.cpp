@@ -7,8 +7,8 @@
 #include "model/sample_scenes.h"
 
 #include "builders/builder.h"
+#include "check/check.h"
 #include "measure/diagnostics.h"
-#include "scene/check.h"
 #include "shapes/cylinder.h"
 #include "verify/tear_sheets.h"
 

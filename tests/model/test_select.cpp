@@ -3,11 +3,11 @@
 // Stages: growing, shrinking, connected parts, edges and loops; other kinds, similar things and
 // groups; then conditions, on elements, items and measured quantities, with the words for wrong
 // ones; and the time on a large sheet.
-#include "author/condition.h"
-#include "author/group.h"
-#include "author/select.h"
 #include "builders/builder.h"
 #include "scene/units.h"
+#include "select/condition.h"
+#include "select/group.h"
+#include "select/select.h"
 
 #include <QtTest>
 
@@ -421,8 +421,8 @@ private slots:
         QVERIFY(!unitFactor("g", "m") && !unitFactor("furlong", "m"));
     }
 
-    // On the cloth of 316 x 316 particles: what two of them find, and how long each takes. The times
-    // are figures to read, not to judge by, as another machine is another figure.
+    // On the cloth of 316 x 316 particles: what two of them find, and how long each takes. The
+    // times are figures to read, not to judge by, as another machine is another figure.
     void largeSheets()
     {
         const auto built =

@@ -2,7 +2,7 @@
 //
 // Stages: rows and columns of a scene and their sorting; then what cells read and show, blocks
 // that are pasted, one value for all, names of items; and what is refused with which words.
-#include "author/sheet.h"
+#include "select/sheet.h"
 
 #include <QtTest>
 

@@ -6,9 +6,9 @@
 // refusals.
 #include "model/systems.h"
 
-#include "author/operation.h"
-#include "author/smooth.h"
 #include "builders/builder.h"
+#include "shaping/operation.h"
+#include "shaping/smooth.h"
 
 #include <QtTest>
 

@@ -1,15 +1,15 @@
 // Spars that are loaded until they snap: a cantilever at its root, at the moment that statics say,
 // whatever the mesh and however far it is bent; lines with knots; and what is said of spars that
 // cannot snap.
+#include "check/check.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "derived/tear_bounds.h"
 #include "measure/diagnostics.h"
 #include "model/systems.h"
-#include "run/simulation.h"
 #include "run/tear_report.h"
-#include "scene/check.h"
 #include "scene/property.h"
-#include "scene/tear_bounds.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

@@ -86,7 +86,7 @@ private slots:
     }
 
     // Undamped, a spring k between a pinned and a free mass m holds to h < 2 sqrt(m / k); the bound
-    // of base/step_limit.h is sqrt(2 m / K), K the sum of both springs at an inner particle.
+    // of laws/step_limit.h is sqrt(2 m / K), K the sum of both springs at an inner particle.
     void timeStep()
     {
         Scene scene = chain(4);

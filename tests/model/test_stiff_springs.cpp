@@ -1,11 +1,11 @@
 // Springs of any stiffness, with what a new scene gets: those that the substep is too long for are
 // solved together with rods, and hang what they hold as their stiffness says.
 #include "builders/network.h"
+#include "check/check.h"
+#include "check/step_limits.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
-#include "run/simulation.h"
-#include "scene/check.h"
-#include "scene/step_limits.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

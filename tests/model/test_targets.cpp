@@ -4,8 +4,8 @@
 // refusals; and the centre of gravity and inertia.
 #include "model/systems.h"
 
-#include "author/spread_mass.h"
 #include "author/targets.h"
+#include "shaping/spread_mass.h"
 
 #include <QtTest>
 

@@ -1,9 +1,9 @@
 // Slits in fabric that tears by energy: the load at which one begins to run is that of fracture
 // mechanics and hangs on no mesh, and from then on nothing stops it.
+#include "check/check.h"
 #include "compile/compile.h"
 #include "model/systems.h"
-#include "run/simulation.h"
-#include "scene/check.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
 

@@ -11,8 +11,8 @@
 #include "compile/live_system.h"
 #include "export/export_run.h"
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
 #include "shapes/shape_files.h"
+#include "simulation/simulation.h"
 #include "system/fields.h"
 #include "verify/tear_sheets.h"
 

@@ -5,8 +5,8 @@
 #include "measure/diagnostics.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
-#include "run/simulation.h"
 #include "run/tear_report.h"
+#include "simulation/simulation.h"
 #include "verify/tear_sheets.h"
 
 #include <QtTest>

@@ -1,13 +1,13 @@
-// Moving, turning and scaling of what is selected (author/transform.h).
+// Moving, turning and scaling of what is selected (shaping/transform.h).
 //
 // Stages: which particles a selection means, pivots and axes; then motions of a sheet of cloth,
 // against distances and areas before and after, with rest lengths kept or bound anew; then
 // colliders, gestures and the time that a large cloth takes. after() checks for each edit that
 // undo gives the scene back.
-#include "author/transform.h"
+#include "shaping/transform.h"
 
 #include "builders/builder.h"
-#include "scene/collider_shape.h"
+#include "derived/collider_shape.h"
 #include "scene/property.h"
 #include "thread_time.h"
 #include "views/small_scenes.h"

@@ -7,7 +7,7 @@
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "step/watchdog.h"
 
 #include <QtTest>

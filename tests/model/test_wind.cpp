@@ -9,11 +9,11 @@
 #include "assembly/carry_over.h"
 #include "base/portable_math.h"
 #include "builders/network.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "forces/gusts.h"
 #include "forces/wind.h"
 #include "measure/diagnostics.h"
-#include "scene/check.h"
 
 #include <QtTest>
 

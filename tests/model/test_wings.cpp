@@ -5,13 +5,13 @@
 // lattice of the tests (vortex_lattice.h) is held against print and against the cases; then shapes
 // that are no wings, and a glider that starts in trim and flies straight.
 #include "assembly/finish.h"
-#include "base/vortex_wing.h"
 #include "builders/builder.h"
 #include "builders/statics.h"
 #include "compile/compile.h"
+#include "laws/vortex_wing.h"
 #include "measure/diagnostics.h"
 #include "measure/polar.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/case.h"
 #include "verify/small_systems.h"
 #include "vortex_lattice.h"

@@ -2,8 +2,8 @@
 //
 // Stages: shapes come from the engine and are kept while they are right; what is drawn of large
 // fields; colliders without a size; then rays at the ground, a cylinder and a box.
+#include "derived/collider_shape.h"
 #include "look/collider_geometry.h"
-#include "scene/collider_shape.h"
 
 #include <QtTest>
 

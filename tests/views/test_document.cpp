@@ -10,7 +10,7 @@
 #include "document/selection.h"
 #include "document/words.h"
 #include "io/scene_file.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "small_scenes.h"
 
 #include <QSignalSpy>

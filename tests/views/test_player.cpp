@@ -5,7 +5,7 @@
 // explosion; controls; and many edits with an early end, for the thread sanitizer.
 #include "document/document.h"
 #include "document/player.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "small_scenes.h"
 
 #include "compile/compile.h"

@@ -13,7 +13,7 @@
 #include "document/selection.h"
 #include "layers/wind_layer.h"
 #include "look/steady_range.h"
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "tools/hand.h"
 
 #include <Eigen/Geometry>

@@ -7,7 +7,7 @@
 #include "camera/camera.h"
 #include "look/collider_geometry.h"
 #include "look/look.h"
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <vector>
 

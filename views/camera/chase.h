@@ -7,7 +7,7 @@
 #pragma once
 
 #include "camera/camera.h"
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "document/census.h"
 
-#include "author/rows_among.h"
+#include "select/rows_among.h"
 
 #include <algorithm>
 

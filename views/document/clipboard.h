@@ -2,7 +2,7 @@
 // can be pasted into another scene, another window, or a text editor.
 #pragma once
 
-#include "author/copy.h"
+#include "shaping/copy.h"
 
 namespace ripstop {
 

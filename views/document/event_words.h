@@ -3,7 +3,7 @@
 // colours suit the palette. Both are pure functions, called from the window's thread.
 #pragma once
 
-#include "run/run_event.h"
+#include "recording/run_event.h"
 #include "scene/scene.h"
 
 #include <QColor>

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "author/stability.h"
+#include "check/check.h"
 #include "compile/update.h"
-#include "scene/check.h"
 
 #include <QObject>
 

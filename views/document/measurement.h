@@ -2,8 +2,8 @@
 // loaded. A frame does not change, so any thread may ask; texts are in the language of the window.
 #pragma once
 
-#include "author/condition.h"
-#include "run/frame.h"
+#include "select/condition.h"
+#include "simulation/frame.h"
 
 #include <QString>
 

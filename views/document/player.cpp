@@ -9,8 +9,8 @@
 
 #include "document/document.h"
 #include "document/words.h"
-#include "run/reached.h"
-#include "run/recording.h"
+#include "recording/recording.h"
+#include "simulation/reached.h"
 
 #include <algorithm>
 #include <iterator>

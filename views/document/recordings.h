@@ -7,7 +7,7 @@
 
 #include "document/player.h"
 #include "document/worker.h"
-#include "run/recording.h"
+#include "recording/recording.h"
 
 #include <QElapsedTimer>
 #include <QObject>

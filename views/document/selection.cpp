@@ -1,7 +1,7 @@
 #include "document/selection.h"
 
-#include "author/rows_among.h"
 #include "document/document.h"
+#include "select/rows_among.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "document/shape_file.h"
 
+#include "derived/collider_shape.h"
 #include "document/document.h"
 #include "document/words.h"
-#include "scene/collider_shape.h"
 
 #include <QDir>
 #include <QFileDialog>

@@ -2,7 +2,7 @@
 // folder where the file lies there, so that both can be moved together.
 #pragma once
 
-#include "base/contact_laws.h"
+#include "laws/contact_laws.h"
 
 #include <QString>
 

@@ -4,8 +4,8 @@
 // texts of failures are made wherever work is done for it.
 #pragma once
 
-#include "author/element_counts.h"
 #include "scene/property.h"
+#include "select/element_counts.h"
 
 #include <QString>
 

@@ -1,11 +1,11 @@
 #include "inspector/material_step.h"
 
-#include "author/made_of.h"
+#include "check/check.h"
 #include "document/document.h"
 #include "document/words.h"
 #include "materials/own_materials.h"
-#include "scene/check.h"
 #include "scene/element_index.h"
+#include "select/made_of.h"
 
 #include <QCoreApplication>
 

@@ -5,6 +5,7 @@
 // is unfolded by a link.
 #include "inspector/preset_chooser.h"
 
+#include "check/check.h"
 #include "document/document.h"
 #include "document/words.h"
 #include "inspector/material_step.h"
@@ -15,7 +16,6 @@
 #include "inspector/usage_watch.h"
 #include "materials/marks.h"
 #include "materials/presets.h"
-#include "scene/check.h"
 #include "scene/element_index.h"
 
 #include <QGridLayout>

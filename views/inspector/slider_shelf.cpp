@@ -4,12 +4,12 @@
 // tuned and has an effect, of all materials that are the same one of the library together.
 #include "inspector/slider_shelf.h"
 
-#include "author/made_of.h"
 #include "document/document.h"
 #include "inspector/tuning.h"
 #include "materials/marks.h"
 #include "materials/presets.h"
 #include "scene/usage.h"
+#include "select/made_of.h"
 
 #include <QSettings>
 

@@ -6,9 +6,9 @@
 // Many elements at once are added through Net, which finds corners together.
 #include "inspector/totals.h"
 
-#include "author/net.h"
-#include "author/spread_mass.h"
 #include "document/words.h"
+#include "select/net.h"
+#include "shaping/spread_mass.h"
 
 #include <Eigen/Geometry>
 

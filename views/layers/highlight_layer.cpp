@@ -1,7 +1,7 @@
 #include "layers/highlight_layer.h"
 
-#include "author/elements.h"
 #include "base/key_index.h"
+#include "select/elements.h"
 
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>

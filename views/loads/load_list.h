@@ -4,7 +4,7 @@
 // chosen stays marked where it goes.
 #pragma once
 
-#include "base/load_margin.h"
+#include "laws/load_margin.h"
 
 #include <QTreeWidget>
 

@@ -2,12 +2,12 @@
 // there is nothing to show.
 #include "loads/load_panel.h"
 
+#include "check/strength_gaps.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
 #include "loads/load_list.h"
 #include "run/has_margins.h"
-#include "scene/strength_gaps.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,5 +1,5 @@
 // What is nearest to breaking: the ten places with the most load for their strength, of the instant
-// that is shown and of the run so far (base/load_margin.h).
+// that is shown and of the run so far (laws/load_margin.h).
 //
 // A click selects a place and asks for it to come to the middle of the view. What carries a load
 // and has no strength is named below the lists; where nothing has one, the panel says how to give
@@ -7,7 +7,7 @@
 // window's thread.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <QTimer>
 #include <QWidget>

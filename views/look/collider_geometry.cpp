@@ -9,7 +9,7 @@
 // other.
 #include "look/collider_geometry.h"
 
-#include "scene/collider_shape.h"
+#include "derived/collider_shape.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

@@ -6,9 +6,9 @@
 // model (shapes/): nothing here asks which shape it is. All of it runs in the thread of the window.
 #pragma once
 
-#include "run/frame.h"
 #include "scene/scene.h"
 #include "shapes/solid.h"
+#include "simulation/frame.h"
 
 #include <Eigen/Geometry>
 

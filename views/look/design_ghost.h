@@ -5,7 +5,7 @@
 // for each frame that it draws while the ghost is on.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <memory>
 

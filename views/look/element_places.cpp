@@ -1,6 +1,6 @@
 #include "look/element_places.h"
 
-#include "author/elements.h"
+#include "select/elements.h"
 
 #include <algorithm>
 

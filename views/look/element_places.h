@@ -5,8 +5,8 @@
 // drawing.
 #pragma once
 
-#include "run/frame.h"
 #include "scene/scene.h"
+#include "simulation/frame.h"
 
 #include <vector>
 

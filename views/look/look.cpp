@@ -9,7 +9,7 @@
 // changesLook() asks the property of each change whether it shows; changes of structure always do.
 #include "look/look.h"
 
-#include "scene/tear_bounds.h"
+#include "derived/tear_bounds.h"
 
 #include <map>
 

@@ -7,9 +7,9 @@
 // in the thread of the window.
 #pragma once
 
-#include "base/tear_limits.h"
-#include "run/frame.h"
+#include "laws/tear_limits.h"
 #include "scene/edit.h"
+#include "simulation/frame.h"
 
 #include <array>
 #include <cstdint>

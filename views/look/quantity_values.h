@@ -48,7 +48,7 @@ struct QuantityValues
 // of fabric that it stands for: the membrane force per width, as the strength of fabrics is given;
 // links without a width read 0. A panel that carries the pull of a fabric has the largest principal
 // tension. Wrinkles tell how such a panel lies: 0 slack, 1 wrinkled, 2 taut; others have none.
-// Margin (1) is load over strength (base/load_margin.h); what has no strength reads 0.
+// Margin (1) is load over strength (laws/load_margin.h); what has no strength reads 0.
 QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look);
 
 // The largest value of a frame, and where it is.

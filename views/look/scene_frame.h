@@ -5,8 +5,8 @@
 // of the design and dialogs use it as well.
 #pragma once
 
-#include "run/frame.h"
 #include "scene/scene.h"
+#include "simulation/frame.h"
 
 #include <memory>
 

@@ -5,8 +5,8 @@
 // followed has no past: its places before are not a number.
 #pragma once
 
-#include "run/frame.h"
 #include "scene/scene.h"
+#include "simulation/frame.h"
 
 #include <deque>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "outline/detail.h"
 
-#include "author/rows_among.h"
 #include "document/words.h"
+#include "select/rows_among.h"
 
 #include <QLocale>
 

@@ -1,8 +1,8 @@
 #include "outline/new_item.h"
 
-#include "author/group.h"
+#include "derived/collider_shape.h"
 #include "document/census.h"
-#include "scene/collider_shape.h"
+#include "select/group.h"
 
 #include <algorithm>
 

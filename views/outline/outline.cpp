@@ -9,7 +9,7 @@
 // an id such as #17. eventFilter() gives the tree and the search box their keys.
 #include "outline/outline.h"
 
-#include "author/element_counts.h"
+#include "derived/collider_shape.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/shape_file.h"
@@ -18,7 +18,7 @@
 #include "outline/new_item.h"
 #include "outline/outline_filter.h"
 #include "outline/outline_model.h"
-#include "scene/collider_shape.h"
+#include "select/element_counts.h"
 
 #include <QHeaderView>
 #include <QItemSelectionModel>

@@ -4,10 +4,10 @@
 // sign and the card with the mass beside it, in grams below one kilogram.
 #include "overlays/centre_mark.h"
 
-#include "author/movable.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "shaping/movable.h"
 
 #include <QPainter>
 

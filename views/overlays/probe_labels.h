@@ -7,8 +7,8 @@
 
 #include "camera/camera_projection.h"
 #include "look/theme.h"
-#include "run/frame.h"
 #include "scene/id.h"
+#include "simulation/frame.h"
 
 #include <QStringList>
 #include <QWidget>

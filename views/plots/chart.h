@@ -12,7 +12,7 @@
 #include "plots/band_graphs.h"
 #include "plots/drawn_curve.h"
 #include "plots/history.h"
-#include "run/run_event.h"
+#include "recording/run_event.h"
 #include "scene/items.h"
 
 #include <QColor>

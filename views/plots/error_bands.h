@@ -1,4 +1,4 @@
-// How far the samples of a history may be off, as certificates have it (run/certificate.h).
+// How far the samples of a history may be off, as certificates have it (recording/certificate.h).
 //
 // A certificate speaks of the run that it was made of and of no other. Runs of one design are the
 // same to the last bit, so a run is the certified one for as long as all its probes read what they
@@ -10,7 +10,7 @@
 #pragma once
 
 #include "plots/history.h"
-#include "run/certificate.h"
+#include "recording/certificate.h"
 
 #include <memory>
 #include <optional>

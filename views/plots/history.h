@@ -5,7 +5,7 @@
 // there are many probes. A long run is kept whole, in coarser steps; its recording has all of it.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <QString>
 

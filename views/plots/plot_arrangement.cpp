@@ -1,7 +1,7 @@
 // Which panels the plots dock has, and what each shows: edits of the scene that keeps them.
-#include "author/group.h"
 #include "document/document.h"
 #include "plots/plot_panel.h"
+#include "select/group.h"
 
 namespace ripstop {
 namespace {

@@ -7,7 +7,7 @@
 // thread of the window.
 #pragma once
 
-#include "scene/check.h"
+#include "check/check.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -6,7 +6,7 @@
 // to that thread.
 #pragma once
 
-#include "author/sheet.h"
+#include "select/sheet.h"
 
 #include <QAbstractTableModel>
 

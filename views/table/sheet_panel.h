@@ -5,7 +5,7 @@
 // hidden it does nothing but note that its rows are old.
 #pragma once
 
-#include "author/condition.h"
+#include "select/condition.h"
 #include "table/sheet_model.h"
 
 #include <QTimer>

@@ -1,11 +1,11 @@
 // How far the particles of two runs are apart, m, over time: the root mean square of all and the
-// farthest one (run/compare_runs.h). The distances are worked out on a thread of its own while the
-// dialog shows progress; a click asks to look at that time. The dialog deletes itself when it is
-// closed, which also ends the work. Only the window's thread uses it.
+// farthest one (recording/compare_runs.h). The distances are worked out on a thread of its own
+// while the dialog shows progress; a click asks to look at that time. The dialog deletes itself
+// when it is closed, which also ends the work. Only the window's thread uses it.
 #pragma once
 
 #include "document/worker.h"
-#include "run/compare_runs.h"
+#include "recording/compare_runs.h"
 
 #include <QDialog>
 

@@ -4,7 +4,7 @@
 // own zoom. Times are in s, places in px from its left edge. Only the window's thread uses it.
 #pragma once
 
-#include "run/run_event.h"
+#include "recording/run_event.h"
 
 #include <QWidget>
 

@@ -9,9 +9,9 @@
 // last particle.
 #include "tools/draw_tool.h"
 
-#include "author/elements.h"
 #include "document/document.h"
 #include "document/words.h"
+#include "select/elements.h"
 #include "tools/picker.h"
 
 #include <QMouseEvent>

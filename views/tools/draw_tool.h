@@ -7,7 +7,7 @@
 // the view.
 #pragma once
 
-#include "author/drawing.h"
+#include "shaping/drawing.h"
 #include "tools/tool.h"
 
 #include <QPointF>

@@ -5,7 +5,7 @@
 // where the cursor is, and makes edits of its motion.
 #pragma once
 
-#include "author/transform.h"
+#include "shaping/transform.h"
 #include "tools/gizmo.h"
 
 #include <QString>

@@ -1,0 +1,495 @@
+// Looks for the problems of a scene in this order:
+// 1. Errors: ids that are used twice, references that dangle or point at the wrong kind, free
+//    particles without mass or guide axis, and items whose numbers or files cannot work.
+// 2. Warnings of the mesh: links that join the same two particles, found by counting sort in one
+//    pass over all links, and particles without links.
+// 3. Warnings of the run: a substep above the limit of springs and bending, and colliders that fit
+//    between the particles of the fabric.
+// Elements that pass isSound() skip the walk over the property table, so that large tables stay
+// cheap. The result is sorted by severity and keeps the order of finding within each.
+#include "check/check.h"
+
+#include "base/quantity.h"
+#include "check/elastic_check.h"
+#include "check/step_limits.h"
+#include "check/tear_check.h"
+#include "derived/canopy_shape.h"
+#include "derived/collider_shape.h"
+#include "derived/formula.h"
+#include "scene/element_index.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+// The thing as the subject of a sentence: "Particle 17".
+Message named(Kind kind, Id id)
+{
+    std::string name(kindName(kind));
+    name[0] = char(std::toupper(name[0]));
+    return id == settingsId ? Message::word(name)
+                            : Message("%1 %2", Message::word(name), std::uint32_t(id));
+}
+
+std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
+{
+    const StepLimits limits = stepLimitsOf(scene, index);
+    std::optional<StepLimit> limit;
+    std::size_t i = 0;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles) {
+            const double h = limits.timeStep[i++];
+            if (std::isfinite(h) && (!limit || h < limit->timeStep))
+                limit = StepLimit{h, particle.id, limits.bends};
+        }
+    });
+    return limit;
+}
+
+bool hasDirection(const Particle& row)
+{
+    return row.pinned || row.guide == Guide::None || row.guideAxis.norm() > 0.0;
+}
+
+bool isSound(const Particle& row) { return hasDirection(row) && (row.pinned || row.mass > 0.0); }
+
+bool hasEnds(const Link& row) { return row.from != noId && row.to != noId && row.from != row.to; }
+
+bool hasCorners(const Panel& row)
+{
+    return row.a != noId && row.b != noId && row.c != noId && row.a != row.b && row.b != row.c
+           && row.a != row.c;
+}
+
+bool isMaterial(const ElementIndex& index, Id id) { return id == noId || index.material(id) >= 0; }
+
+bool isSound(const Link& row, const ElementIndex& index)
+{
+    return hasEnds(row) && index.particle(row.from) >= 0 && index.particle(row.to) >= 0
+           && isMaterial(index, row.material);
+}
+
+bool isSound(const Panel& row, const ElementIndex& index)
+{
+    return hasCorners(row) && index.particle(row.a) >= 0 && index.particle(row.b) >= 0
+           && index.particle(row.c) >= 0 && isMaterial(index, row.material);
+}
+
+class Checker
+{
+public:
+    Checker(const Scene& scene, const ElementIndex& index, std::size_t most)
+        : m_scene(scene)
+        , m_index(index)
+        , m_most(most)
+    {}
+
+    std::vector<Finding> run()
+    {
+        errors();
+        duplicates();
+        stability();
+        gaps();
+        checkTearing(m_scene, adding());
+        if (!m_hasParticles)
+            add("empty", Severity::Warning,
+                Message("The scene has no particles: insert a part or import a mesh."), noId);
+        std::stable_sort(
+            m_problems.begin(), m_problems.end(),
+            [](const Finding& a, const Finding& b) { return a.severity < b.severity; });
+        return std::move(m_problems);
+    }
+
+    std::optional<Finding> firstError()
+    {
+        errors();
+        return first();
+    }
+
+    std::optional<Finding> firstErrorOfItems()
+    {
+        for (const Entry& entry : m_scene.items)
+            std::visit([&](const auto& item) { pointing(entry.id, &item); }, entry.item);
+        shapes();
+        return first();
+    }
+
+private:
+    void errors()
+    {
+        for (const Id id : m_index.repeated())
+            add("twice", Severity::Error,
+                Message("The id %1 is used twice; give one of the two another id.",
+                        std::uint32_t(id)),
+                id);
+        references();
+        masses();
+        shapes();
+        elasticPanels();
+    }
+
+    void elasticPanels() { checkElasticPanels(m_scene, m_index, adding()); }
+
+    AddFinding adding()
+    {
+        return [this](const char* sort, Severity severity, Message message, Id id) {
+            add(sort, severity, std::move(message), id);
+        };
+    }
+
+    std::optional<Finding> first() const
+    {
+        for (const Finding& problem : m_problems)
+            if (problem.severity == Severity::Error)
+                return problem;
+        return std::nullopt;
+    }
+
+    void add(const char* sort, Severity severity, Message message, Id culprit)
+    {
+        if (++m_count[sort] > m_most)
+            return;
+        Finding problem{severity, std::move(message), {}, sort};
+        if (culprit != noId)
+            problem.culprits = {culprit};
+        m_problems.push_back(std::move(problem));
+    }
+
+    void pointing(Id holder, const ConstRef& ref)
+    {
+        for (const Property& property : propertiesOf(kindOf(ref))) {
+            if (property.pointsAt.empty())
+                continue;
+            const auto check = [&](Id id) {
+                const std::optional<Kind> found = m_index.kindOf(id);
+                if (!found)
+                    add("dangling", Severity::Error,
+                        Message("%1: %2 points at %3, which does not exist; choose another or "
+                                "remove it.",
+                                named(kindOf(ref), holder), property.key, std::uint32_t(id)),
+                        holder);
+                else if (!property.pointsAt.contains(*found))
+                    add("dangling", Severity::Error,
+                        Message("%1: %2 points at %3, which is a %4.", named(kindOf(ref), holder),
+                                property.key, std::uint32_t(id), Message::word(kindName(*found))),
+                        holder);
+            };
+            const Value value = property.get(ref);
+            if (const Id* id = std::get_if<Id>(&value); id && *id != noId)
+                check(*id);
+            if (const auto* ids = std::get_if<std::vector<Id>>(&value))
+                for (const Id member : *ids) // noId is no valid member of a list
+                    check(member);
+        }
+    }
+
+    void references()
+    {
+        for (const Entry& entry : m_scene.items) {
+            std::visit([&](const auto& item) { pointing(entry.id, &item); }, entry.item);
+            if (const Part* part = std::get_if<Part>(&entry.item)) {
+                for (const Link& row : part->links) {
+                    if (isSound(row, m_index))
+                        continue;
+                    pointing(row.id, &row);
+                    if (!hasEnds(row))
+                        add("ends", Severity::Error,
+                            Message("%1 needs two different particles as its ends; remove it.",
+                                    named(Kind::Link, row.id)),
+                            row.id);
+                }
+                for (const Panel& row : part->panels) {
+                    if (isSound(row, m_index))
+                        continue;
+                    pointing(row.id, &row);
+                    if (!hasCorners(row))
+                        add("corners", Severity::Error,
+                            Message("%1 needs three different particles as its corners; remove "
+                                    "it.",
+                                    named(Kind::Panel, row.id)),
+                            row.id);
+                }
+            }
+        }
+    }
+
+    void masses()
+    {
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            for (const Particle& row : part.particles) {
+                if (isSound(row))
+                    continue;
+                const Message name = named(Kind::Particle, row.id);
+                if (!hasDirection(row))
+                    add("guide", Severity::Error,
+                        Message("%1 of %2 needs a guide axis that is not zero.", name, part.name),
+                        row.id);
+                else
+                    add("massless", Severity::Error,
+                        Message("%1 of %2 is free and has no mass: give it a mass or pin it.", name,
+                                part.name),
+                        row.id);
+            }
+        });
+    }
+
+    void shapes()
+    {
+        for (const Entry& entry : m_scene.items) {
+            if (const Part* part = std::get_if<Part>(&entry.item); part && part->canopyPressure > 0)
+                if (auto pieces = canopyPieces(*part); !pieces)
+                    add("canopy", Severity::Error, pieces.message(), entry.id);
+            if (const Collider* collider = std::get_if<Collider>(&entry.item))
+                if (auto error = colliderError(m_scene, *collider))
+                    add("collider", Severity::Error, std::move(*error), entry.id);
+            if (const Wind* wind = std::get_if<Wind>(&entry.item))
+                if (wind->kind == WindKind::LogLaw && !(wind->roughness < wind->referenceHeight))
+                    add("roughness", Severity::Error,
+                        Message("Wind %1 needs a roughness that is below its reference height.",
+                                wind->name),
+                        entry.id);
+            if (const Control* control = std::get_if<Control>(&entry.item)) {
+                if (!(control->axis.norm() > 0.0))
+                    add("axis", Severity::Error,
+                        Message("Control %1 needs an axis that is not zero.", control->name),
+                        entry.id);
+                const auto isCollider = [&](Id id) { return m_index.kindOf(id) == Kind::Collider; };
+                if (control->kind == ControlKind::WeightShift
+                    && std::any_of(control->targets.begin(), control->targets.end(), isCollider))
+                    add("weight", Severity::Warning,
+                        Message("Control %1 shifts weights, and a collider has none: make it move, "
+                                "or remove the collider from its targets.",
+                                control->name),
+                        entry.id);
+                if (control->targets.empty())
+                    add("idle", Severity::Warning,
+                        Message("Control %1 has no targets and does nothing.", control->name),
+                        entry.id);
+            }
+            if (const Probe* probe = std::get_if<Probe>(&entry.item))
+                checkProbe(*probe, entry.id);
+            if (const Plot* plot = std::get_if<Plot>(&entry.item))
+                checkPlot(*plot, entry.id);
+        }
+        for (const ProbeFormula& probe : formulasOf(m_scene))
+            if (!probe.formula)
+                add("formula", Severity::Warning,
+                    Message("The formula of probe %1 cannot be worked out: %2.",
+                            nameOf(*findItem(m_scene, probe.probe)), probe.formula.message()),
+                    probe.probe);
+    }
+
+    void checkProbe(const Probe& probe, Id id)
+    {
+        const int points = rowOf(probe.quantity).points;
+        if (points >= 2 && (probe.target == noId || probe.from == noId))
+            add("probe", Severity::Warning,
+                Message("Probe %1 needs a target and a particle to measure from.", probe.name), id);
+        else if (points >= 3 && probe.side == noId)
+            add("probe", Severity::Warning,
+                Message("Probe %1 needs a third particle, on the right.", probe.name), id);
+    }
+
+    void checkPlot(const Plot& plot, Id id)
+    {
+        if (plot.axis == PlotAxis::Probe && plot.against == noId)
+            add("plot", Severity::Warning,
+                Message("Plot %1 needs the probe that its curves are against.", plot.name), id);
+        if (plot.low && plot.high && *plot.low >= *plot.high)
+            add("plot", Severity::Warning,
+                Message("Plot %1 shows no values: its lowest has to be below its highest.",
+                        plot.name),
+                id);
+    }
+
+    void gaps()
+    {
+        std::optional<double> edge; // computed once at most, since it walks all panels
+        for (const Entry& entry : m_scene.items) {
+            const Collider* collider = std::get_if<Collider>(&entry.item);
+            if (!collider || !std::isfinite(widthOf(*collider)))
+                continue;
+            if (!edge)
+                edge = meanPanelEdge(m_scene);
+            if (auto warning = colliderWarning(*collider, *edge))
+                add("gap", Severity::Warning, std::move(*warning), entry.id);
+        }
+    }
+
+    void duplicates()
+    {
+        // Links sorted by their lower end, by counting: those that join the same two particles
+        // are found where the lists of one end name the other end again.
+        struct Tie
+        {
+            int high; // particle
+            int link; // number of the row
+        };
+        const auto particles = std::size_t(particleCount());
+        m_hasParticles = particles > 0;
+        std::vector<std::uint8_t> tied(particles, 0);
+        std::vector<int> first(particles + 1, 0);
+        const auto eachTie = [&](auto visit) {
+            int link = -1;
+            forEachPart(m_scene, [&](Id, const Part& part) {
+                for (const Link& row : part.links) {
+                    ++link;
+                    const int from = m_index.particle(row.from);
+                    const int to = m_index.particle(row.to);
+                    if (from >= 0 && to >= 0)
+                        visit(std::size_t(std::min(from, to)), Tie{std::max(from, to), link});
+                }
+            });
+        };
+        eachTie([&](std::size_t low, const Tie& tie) {
+            tied[low] = tied[std::size_t(tie.high)] = 1;
+            ++first[low + 1];
+        });
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        std::vector<Tie> ties(std::size_t(first.back()));
+        std::vector<int> next(first.begin(), first.end() - 1);
+        eachTie([&](std::size_t low, const Tie& tie) { ties[std::size_t(next[low]++)] = tie; });
+
+        std::vector<int> again; // links
+        std::vector<int> lastLow(particles, -1);
+        for (std::size_t low = 0; low < particles; ++low)
+            for (int k = first[low]; k < first[low + 1]; ++k) {
+                const Tie& tie = ties[std::size_t(k)];
+                if (std::exchange(lastLow[std::size_t(tie.high)], int(low)) == int(low))
+                    again.push_back(tie.link);
+            }
+        std::sort(again.begin(), again.end());
+        reportDoubles(again);
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            if (part.carrier != FabricKind::Panels)
+                return;
+            for (const Panel& panel : part.panels)
+                for (const Id corner : {panel.a, panel.b, panel.c})
+                    if (const int place = m_index.particle(corner); place >= 0)
+                        tied[std::size_t(place)] = 1;
+        });
+        reportLoose(tied);
+    }
+
+    void reportDoubles(const std::vector<int>& again)
+    {
+        int start = 0;
+        auto link = again.begin();
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            const int end = start + int(part.links.size());
+            for (; link != again.end() && *link < end; ++link)
+                add("double", Severity::Warning,
+                    Message("%1 of %2 joins two particles that are joined already.",
+                            named(Kind::Link, part.links[std::size_t(*link - start)].id),
+                            part.name),
+                    part.links[std::size_t(*link - start)].id);
+            start = end;
+        });
+    }
+
+    void reportLoose(const std::vector<std::uint8_t>& tied)
+    {
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            if (part.links.empty())
+                return;
+            for (const Particle& row : part.particles) {
+                const int place = m_index.particle(row.id);
+                if (place >= 0 && !tied[std::size_t(place)] && !row.pinned)
+                    add("loose", Severity::Warning,
+                        Message("%1 of %2 has no links and will fly by itself.",
+                                named(Kind::Particle, row.id), part.name),
+                        row.id);
+            }
+        });
+    }
+
+    int particleCount() const
+    {
+        std::size_t count = 0;
+        forEachPart(m_scene, [&](Id, const Part& part) { count += part.particles.size(); });
+        return int(count);
+    }
+
+    void stability()
+    {
+        const Settings& settings = m_scene.settings;
+        if (settings.integrator == Integrator::Bdf2 && settings.solver == Solver::SmallSteps)
+            add("single sweeps", Severity::Warning,
+                Message("The integrator bdf2 makes what single sweeps leave over grow, so that "
+                        "rods swing up: "
+                        "choose the automatic solver, or another integrator."),
+                noId);
+        const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
+        if (!limit || !exceeds(settings, *limit))
+            return;
+        const double h = settings.timeStep / settings.substeps;
+        add("step", Severity::Warning,
+            Message(
+                "The substep of %1 s is above the %2 s that springs and bending at particle %3 "
+                "may need: shorten the time step, add substeps, or lower stiffness and damping.",
+                Message::number("%.3g", h), Message::number("%.3g", limit->timeStep),
+                std::uint32_t(limit->particle)),
+            limit->particle);
+    }
+
+    const Scene& m_scene;
+    const ElementIndex& m_index;
+    std::size_t m_most;
+    bool m_hasParticles = false;
+    std::map<std::string_view, std::size_t> m_count;
+    std::vector<Finding> m_problems;
+};
+
+} // namespace
+
+std::vector<Finding> problemsOf(const Scene& scene, std::size_t most)
+{
+    const ElementIndex index(scene);
+    return Checker(scene, index, most).run();
+}
+
+std::optional<Finding> firstError(const Scene& scene, const ElementIndex& index)
+{
+    return Checker(scene, index, 1).firstError();
+}
+
+std::optional<Finding> firstErrorOfItems(const Scene& scene, const ElementIndex& index)
+{
+    return Checker(scene, index, 1).firstErrorOfItems();
+}
+
+bool isSound(const ConstRef& ref, const ElementIndex& index)
+{
+    if (const auto* particle = std::get_if<const Particle*>(&ref))
+        return isSound(**particle);
+    if (const auto* link = std::get_if<const Link*>(&ref))
+        return isSound(**link, index);
+    if (const auto* panel = std::get_if<const Panel*>(&ref))
+        return isSound(**panel, index);
+    return true;
+}
+
+bool hasErrors(const std::vector<Finding>& problems)
+{
+    return std::any_of(problems.begin(), problems.end(),
+                       [](const Finding& p) { return p.severity == Severity::Error; });
+}
+
+bool exceeds(const Settings& settings, const StepLimit& limit)
+{
+    return settings.timeStep / settings.substeps > limit.timeStep
+           && !(limit.bends && settings.solver == Solver::Auto);
+}
+
+std::optional<StepLimit> stepLimit(const Scene& scene)
+{
+    return limitOf(scene, ElementIndex(scene));
+}
+
+} // namespace ripstop

@@ -1,0 +1,71 @@
+#include "derived/flat_panel.h"
+
+#include "base/angle.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr double thinnest = 1e-9; // of the square of the longest side, four times the area
+
+} // namespace
+
+std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const auto length = [](double given, const Vec3& from, const Vec3& to) {
+        return given > 0.0 ? given : (to - from).norm();
+    };
+    const double ab = length(panel.restAB, a, b);
+    const double bc = length(panel.restBC, b, c);
+    const double ca = length(panel.restCA, c, a);
+    const double longest = std::max({ab, bc, ca});
+    if (!(ab > 0.0))
+        return std::nullopt;
+    const double along = (ab * ab + ca * ca - bc * bc) / (2.0 * ab);
+    const double square = ca * ca - along * along;
+    if (!(square > 0.0) || !(2.0 * ab * std::sqrt(square) > thinnest * longest * longest))
+        return std::nullopt;
+    const double across = std::sqrt(square);
+    const double cosine = std::cos(panel.grain * degrees);
+    const double sine = std::sin(panel.grain * degrees);
+    return FlatPanel{{ab * cosine, -ab * sine},
+                     {along * cosine + across * sine, across * cosine - along * sine}};
+}
+
+void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp)
+{
+    panel.restAB = (b - a).norm();
+    panel.restBC = (c - b).norm();
+    panel.restCA = (a - c).norm();
+    const Vec3 along = (b - a).normalized();
+    const Vec3 across = ((c - a) - (c - a).dot(along) * along).normalized();
+    const double x = warp.dot(along);
+    const double y = warp.dot(across);
+    const bool lies = std::hypot(x, y) > 1e-6 * warp.norm();
+    const double angle = lies ? std::atan2(y, x) / degrees : 0.0;
+    panel.grain = angle < 0.0 ? angle + 180.0 : angle; // a warp runs both ways
+}
+
+void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c)
+{
+    const Vec3 ab = b.position - a.position;
+    const Vec3 ac = c.position - a.position;
+    const double ub = b.textureU - a.textureU, uc = c.textureU - a.textureU;
+    const double vb = b.textureV - a.textureV, vc = c.textureV - a.textureV;
+    const double turn = ub * vc - uc * vb;
+    const double largest = std::max({std::abs(ub), std::abs(uc), std::abs(vb), std::abs(vc)});
+    const bool isPrinted = std::abs(turn) > thinnest * largest * largest && largest > 0.0;
+    const Vec3 across = ab.cross(ac);
+    const bool isLevel = std::hypot(across.x(), across.z()) < 1e-3 * across.norm();
+    const Vec3 warp = isPrinted ? Vec3((ub * ac - uc * ab) / turn)
+                      : isLevel ? Vec3(Vec3::UnitX())
+                                : Vec3(Vec3::UnitY());
+    layFlat(panel, a.position, b.position, c.position, warp);
+}
+
+} // namespace ripstop

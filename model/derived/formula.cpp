@@ -1,0 +1,193 @@
+// Reads a formula once and evaluates it many times:
+// 1. Parts gives each name a variable of muParser and notes which of them the text uses.
+// 2. dimension() evaluates with every used name at a number of its own, once as it is and once for
+//    each basic unit made smaller; the growth is the power of that unit in the result. A formula
+//    that adds unlike things grows by no power and is refused.
+// 3. The first listed unit of that dimension names the result, or one is composed of m, kg and s.
+// 4. formulasOf() reads the probes of a scene in their order, and offers each formula that it has
+//    read to those behind it, so that there are no circles.
+#include "derived/formula.h"
+
+#include "base/angle.h"
+#include "base/quantity.h"
+#include "scene/expression.h"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace ripstop {
+namespace {
+
+constexpr std::size_t powerOfAngle = 3; // among the powers of a dimension
+
+// Units for results, in the order of preference.
+constexpr std::array resultUnits{"m",       "m/s",        "m/s\u00b2", "N",   "J",
+                                 "W",       "Pa",         "kg",        "s",   "1/s",
+                                 "m\u00b2", "m\u00b3",    "N/m",       "N m", "kg m/s",
+                                 "N s",     "kg/m\u00b2", "m\u00b2/s", "1/m", "s/m"};
+
+std::string unitOf(const Dimension& dimension)
+{
+    for (const char* unit : resultUnits)
+        if (const auto measured = measureOfUnit(unit); measured && measured->dimension == dimension)
+            return unit;
+    std::string text;
+    constexpr std::array basic{"m", "kg", "s"};
+    for (std::size_t k = 0; k < basic.size(); ++k)
+        if (dimension[k] != 0) {
+            text.append(text.empty() ? "" : " ").append(basic[k]);
+            if (dimension[k] != 1)
+                text.append("^").append(std::to_string(dimension[k]));
+        }
+    return text;
+}
+
+} // namespace
+
+std::string wordFor(std::string_view name)
+{
+    std::string word(name);
+    std::ranges::replace_if(
+        word, [](unsigned char c) { return std::isalnum(c) == 0 || c > 127; }, '_');
+    if (word.empty() || std::isdigit(static_cast<unsigned char>(word[0])) != 0)
+        word.insert(word.begin(), '_');
+    return word;
+}
+
+class Formula::Parts
+{
+public:
+    Parts(std::string_view text, std::span<const Name> names)
+        : m_values(names.size(), 0.0)
+    {
+        m_parser.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto unit = measureOfUnit(names[i].unit);
+            m_units.push_back(unit.value_or(Measured{1.0, {}, true}));
+            m_words.push_back(names[i].name.empty() ? "" : wordFor(names[i].name));
+            if (!m_words.back().empty())
+                m_parser.DefineVar(m_words.back(), &m_values[i]);
+        }
+        m_parser.SetExpr(std::string(text));
+        const auto& found = m_parser.GetUsedVar();
+        for (std::size_t i = 0; i < m_words.size(); ++i)
+            if (found.contains(m_words[i]))
+                m_used.push_back(i);
+    }
+
+    // The dimension of the result; nothing when unlike things are added. A result that depends on
+    // an angle by no power, as a sine does, measures no angle.
+    std::optional<Dimension> dimension()
+    {
+        constexpr double finer = std::numbers::e;
+        const double whole = probed({1.0, 1.0, 1.0, 1.0});
+        Dimension found{};
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            std::array<double, 4> scale{1.0, 1.0, 1.0, 1.0};
+            scale[k] = finer;
+            const double power = std::log(probed(scale) / whole);
+            const bool isPower = std::abs(power - std::rint(power)) < 1e-9;
+            if (!isPower && k != powerOfAngle)
+                return std::nullopt;
+            found[k] = isPower ? int(std::lround(power)) : 0;
+        }
+        return found;
+    }
+
+    double value(std::span<const double> values)
+    {
+        for (const std::size_t i : m_used)
+            m_values[i] = values[i] * m_units[i].value;
+        return m_parser.Eval() * m_factor;
+    }
+
+    void setUnit(const Dimension& dimension)
+    {
+        const bool isAngle = dimension == Dimension{0, 0, 0, 1};
+        m_unit = isAngle ? "deg" : unitOf({dimension[0], dimension[1], dimension[2], 0});
+        m_factor = isAngle ? 1.0 / degrees : 1.0;
+    }
+
+    const std::string& unit() const { return m_unit; }
+    const std::vector<std::size_t>& used() const { return m_used; }
+
+private:
+    // Evaluates with another number for each name, so that no difference vanishes.
+    double probed(const std::array<double, 4>& scale)
+    {
+        double number = 0.5;
+        for (const std::size_t i : m_used) {
+            m_values[i] = number += 0.0625;
+            for (std::size_t k = 0; k < scale.size(); ++k)
+                m_values[i] *= std::pow(scale[k], m_units[i].dimension[k]);
+        }
+        return m_parser.Eval();
+    }
+
+    std::vector<double> m_values; // [names]
+    std::vector<Measured> m_units;
+    std::vector<std::string> m_words;
+    std::vector<std::size_t> m_used;
+    std::string m_unit;
+    double m_factor = 1.0; // from SI
+    mu::Parser m_parser;
+};
+
+Formula::Formula(std::unique_ptr<Parts> parts)
+    : m_parts(std::move(parts))
+{}
+
+Formula::Formula(Formula&&) noexcept = default;
+Formula& Formula::operator=(Formula&&) noexcept = default;
+Formula::~Formula() = default;
+
+Result<Formula> Formula::read(std::string_view text, std::span<const Name> names)
+{
+    if (text.find_first_not_of(' ') == std::string_view::npos)
+        return Failure{"it is empty; write one like line_tension / weight"};
+    try {
+        auto parts = std::make_unique<Parts>(text, names);
+        const auto dimension = parts->dimension();
+        if (!dimension)
+            return Failure{"it adds, or takes a function of, things of different units"};
+        parts->setUnit(*dimension);
+        return Formula(std::move(parts));
+    } catch (const mu::Parser::exception_type& error) {
+        if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
+            return Failure(Message::verbatim(error.GetMsg()));
+        return Failure("\"%1\" is no other probe; names are written with _ for blanks",
+                       error.GetToken());
+    }
+}
+
+const std::string& Formula::unit() const { return m_parts->unit(); }
+const std::vector<std::size_t>& Formula::used() const { return m_parts->used(); }
+double Formula::value(std::span<const double> values) { return m_parts->value(values); }
+
+std::vector<ProbeFormula> formulasOf(const Scene& scene)
+{
+    std::vector<std::pair<Id, const Probe*>> probes;
+    std::vector<Formula::Name> names; // nobody can write the empty ones
+    for (const Entry& entry : scene.items)
+        if (const Probe* probe = std::get_if<Probe>(&entry.item)) {
+            const bool isMeasured = probe->quantity != Quantity::Formula;
+            probes.emplace_back(entry.id, probe);
+            names.push_back({isMeasured ? probe->name : "", std::string(unitOf(probe->quantity))});
+        }
+    std::vector<ProbeFormula> formulas;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        const auto& [id, probe] = probes[i];
+        if (probe->quantity != Quantity::Formula)
+            continue;
+        formulas.push_back({id, Formula::read(probe->formula, names)});
+        if (const auto& read = formulas.back().formula)
+            names[i] = {probe->name, read->unit()};
+    }
+    return formulas;
+}
+
+} // namespace ripstop

@@ -1,0 +1,73 @@
+#include "derived/tear_bounds.h"
+
+namespace ripstop {
+namespace {
+
+TearLimit never(std::optional<double> own) { return {TearRule::Never, own.value_or(0.0)}; }
+
+double joined(const Material& material, double strength)
+{
+    return shareLeftByJoints(material) * strength;
+}
+
+} // namespace
+
+double shareLeftByJoints(const Material& material)
+{
+    return material.jointEfficiency.value_or(1.0);
+}
+
+TearLimit linkTearOf(const Material& material, LinkRole role, double width,
+                     std::optional<double> own)
+{
+    switch (material.tearRule) {
+    case TearRule::Never:
+    case TearRule::Length:
+    case TearRule::Strain:
+    case TearRule::Force:
+        return {material.tearRule, own.value_or(material.tearLimit)};
+    case TearRule::Tension:
+        if (!own && (role != LinkRole::Thread || !(width > 0.0)))
+            return never(own);
+        return {TearRule::Force, own.value_or(material.tearLimit * width)};
+    case TearRule::Strength:
+    case TearRule::Energy:
+        if (!own && (role != LinkRole::Line || !material.lineStrength))
+            return never(own);
+        return {TearRule::Force, own ? *own : joined(material, *material.lineStrength)};
+    }
+    return never(own);
+}
+
+FabricTear fabricTearOf(const Material& material)
+{
+    constexpr double unbreakable = FabricTear::unbreakable;
+    switch (material.tearRule) {
+    case TearRule::Strain:
+    case TearRule::Tension:
+        return {material.tearRule, material.tearLimit, material.tearLimit};
+    case TearRule::Strength:
+    case TearRule::Energy: {
+        const double energy = material.tearRule == TearRule::Energy ? tearEnergyOf(material) : 0.0;
+        if (!material.warpStrength && !material.weftStrength && !(energy > 0.0))
+            return {};
+        return {TearRule::Tension, joined(material, material.warpStrength.value_or(unbreakable)),
+                joined(material, material.weftStrength.value_or(unbreakable)), energy};
+    }
+    case TearRule::Never:
+    case TearRule::Length:
+    case TearRule::Force:
+        break;
+    }
+    return {};
+}
+
+double tearEnergyOf(const Material& material) { return 2.0 * material.tearStrength.value_or(0.0); }
+
+double snapMomentOf(const Material& material)
+{
+    return isByStrength(material.tearRule) ? joined(material, material.breakingMoment.value_or(0.0))
+                                           : 0.0;
+}
+
+} // namespace ripstop

@@ -1,0 +1,183 @@
+// mapped() reads the formula once and evaluates it for each element at a Spot, which is the mean of
+// the element's particles. presentValue() says what a link has that leaves a number to its
+// material.
+#include "select/element_map.h"
+
+#include "derived/formula.h"
+#include "derived/link_stiffness.h"
+#include "derived/tear_bounds.h"
+#include "select/elements.h"
+#include "shapes/shape_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+enum Name : std::size_t { X, Y, Z, U, V, Present, Grey, nameCount };
+
+std::vector<Formula::Name> mapNames()
+{
+    const auto keyOf = [](const Property& property) { return std::string(property.key); };
+    return {{"x", ""},
+            {"y", ""},
+            {"z", ""},
+            {keyOf(propertyOf<&Particle::textureU>()), ""},
+            {keyOf(propertyOf<&Particle::textureV>()), ""},
+            {"value", ""},
+            {"grey", ""}};
+}
+
+struct Spot
+{
+    Vec3 place = Vec3::Zero(); // m
+    double u = 0.0;
+    double v = 0.0;
+};
+
+Spot spotOf(const Scene& scene, const std::vector<Id>& particles)
+{
+    Spot spot;
+    for (const Id id : particles)
+        if (const Particle* particle = particleOf(scene, id)) {
+            const double share = 1.0 / double(particles.size());
+            spot.place += share * particle->position;
+            spot.u += share * particle->textureU;
+            spot.v += share * particle->textureV;
+        }
+    return spot;
+}
+
+Spot spotOf(const Scene& scene, const ConstRef& element)
+{
+    if (const auto* link = std::get_if<const Link*>(&element))
+        return spotOf(scene, {(*link)->from, (*link)->to});
+    if (const auto* panel = std::get_if<const Panel*>(&element))
+        return spotOf(scene, {(*panel)->a, (*panel)->b, (*panel)->c});
+    return spotOf(scene, {std::get<const Particle*>(element)->id});
+}
+
+// What the material gives a link that has no number of its own; nothing where it gives none.
+std::optional<double> ofItsMaterial(const Scene& scene, const Property& property, const Link& link)
+{
+    const Material* material = findItem<Material>(scene, link.material);
+    if (!material)
+        return std::nullopt;
+    if (isOneOf<&Link::stiffness>(property))
+        return springStiffness(*material, link.role, link.width, link.restLength);
+    if (isOneOf<&Link::damping>(property))
+        return material->damping;
+    if (isOneOf<&Link::compliance>(property))
+        return rodCompliance(*material, link.role, link.width, link.restLength);
+    const TearLimit tear = linkTearOf(*material, link.role, link.width, {});
+    return tear.rule == TearRule::Never ? std::nullopt : std::optional(tear.limit);
+}
+
+std::optional<double> presentValue(const Scene& scene, const Property& property,
+                                   const ConstRef& element)
+{
+    const Value value = property.get(element);
+    if (const double* number = std::get_if<double>(&value))
+        return *number;
+    const auto* link = std::get_if<const Link*>(&element);
+    return link ? ofItsMaterial(scene, property, **link) : std::nullopt;
+}
+
+// Between the points of the picture, whose first row is its top, v = 1.
+double greyAt(const HeightGrid& picture, double u, double v)
+{
+    const auto cell = [](double share, int count) {
+        const double place = std::clamp(share, 0.0, 1.0) * (count - 1);
+        const int first = std::min(int(place), count - 2);
+        return std::pair(first, place - first);
+    };
+    const auto [column, across] = cell(u, picture.columns);
+    const auto [row, down] = cell(1.0 - v, picture.rows);
+    const auto along = [&picture, column = column, across = across](int r) {
+        return (1.0 - across) * picture.at(r, column) + across * picture.at(r, column + 1);
+    };
+    return (1.0 - down) * along(row) + down * along(row + 1);
+}
+
+bool isRealNumber(const Property& property)
+{
+    return isElement(property.kind)
+           && (property.optional || std::holds_alternative<double>(property.initial));
+}
+
+} // namespace
+
+Result<MappedNumbers> mapped(const Scene& scene, const Property& property,
+                             const std::vector<Id>& elements, std::string_view formula,
+                             const HeightGrid* picture)
+{
+    if (!isRealNumber(property))
+        return Failure("%1 is no number of particles, links or panels.", property.key);
+    const std::vector<Formula::Name> names = mapNames();
+    Result<Formula> read = Formula::read(formula, names);
+    if (!read)
+        return read.failure();
+    const auto uses = [&](Name name) { return std::ranges::count(read->used(), name) > 0; };
+    if (uses(Grey) && !picture)
+        return Failure("The formula asks for grey, and there is no picture: name one.");
+
+    SetValues values{&property, {}, {}};
+    MappedNumbers made;
+    for (const Id id : elements) {
+        const auto element = find(scene, id);
+        if (!element || kindOf(*element) != property.kind)
+            continue;
+        const Spot spot = spotOf(scene, *element);
+        const auto present = presentValue(scene, property, *element);
+        if (uses(Present) && !present)
+            return Failure("The formula asks for the value of link %1, which has none: its "
+                           "material never tears. Choose what it tears by, or leave out value.",
+                           std::uint32_t(id));
+        const std::array<double, nameCount> at{spot.place.x(),
+                                               spot.place.y(),
+                                               spot.place.z(),
+                                               spot.u,
+                                               spot.v,
+                                               present.value_or(0.0),
+                                               picture ? greyAt(*picture, spot.u, spot.v) : 0.0};
+        const double number = read->value(at);
+        if (const auto why = refusal(property, number))
+            return Failure("At %1 %2 the formula gives %3, and %4 %5.", kindName(property.kind),
+                           std::uint32_t(id), Message::number("%.4g", number), property.key, *why);
+        made.least = made.count == 0 ? number : std::min(made.least, number);
+        made.most = made.count == 0 ? number : std::max(made.most, number);
+        ++made.count;
+        values.targets.push_back(id);
+        values.values.emplace_back(number);
+    }
+    if (made.count == 0)
+        return Failure("There is no %1 to map.", kindName(property.kind));
+    made.edit.label = Message("Map of %1", Message::word(property.label));
+    made.edit.changes.emplace_back(std::move(values));
+    return made;
+}
+
+Result<MappedNumbers> mappedByPicture(const Scene& scene, const Property& property,
+                                      const std::vector<Id>& elements, std::string_view formula,
+                                      const std::filesystem::path& picture)
+{
+    if (picture.empty())
+        return mapped(scene, property, elements, formula);
+    const auto read = heightsFromFile(picture);
+    if (!read)
+        return read.failure();
+    return mapped(scene, property, elements, formula, read->get());
+}
+
+std::vector<const Property*> mappableNumbers(Kind kind)
+{
+    std::vector<const Property*> numbers;
+    for (const Property& property : propertiesOf(kind))
+        if (isRealNumber(property))
+            numbers.push_back(&property);
+    return numbers;
+}
+
+} // namespace ripstop

@@ -1,0 +1,51 @@
+// The places of a run that were nearest to breaking so far, and those that are now.
+//
+// Called after each step, on the thread that steps; it looks and changes nothing. What has no
+// strength costs it nothing.
+#pragma once
+
+#include "laws/load_margin.h"
+#include "measure/margins.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ripstop {
+
+struct State;
+struct System;
+
+class LoadWatch
+{
+public:
+    // A new run, or a moment of another one: nothing is known of what was before it.
+    void begin() { m_ofRun.forget(); }
+
+    // The system was changed in place, maybe in what has a strength or belongs to which line.
+    void edited() { m_isKnown = false; }
+
+    // After each step.
+    void look(const System& system, const State& state);
+
+    // Of the instant, without noting it.
+    WorstPlaces now(const System& system, const State& state);
+
+    // Of every step since begin(), or since a strength, a joint or the safety factor was changed
+    // last: a margin against a strength that is no more tells nothing of what runs.
+    const WorstPlaces& ofRun() const { return m_ofRun; }
+
+private:
+    void prepare(const System& system, const State& state);
+    void judge(const System& system, const State& state);
+    void dropGone(const System& system);
+
+    WorstPlaces m_ofRun;
+    bool m_isKnown = false; // what is judged of the system with these serials
+    std::uint64_t m_serial = 0;
+    std::uint64_t m_valuesSerial = 0;
+    JudgedPlaces m_judged;
+    std::vector<Strength> m_strength; // that the list is of
+    double m_safetyFactor = 1.0;
+};
+
+} // namespace ripstop

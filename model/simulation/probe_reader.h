@@ -1,0 +1,36 @@
+// Reads all probes of a system in one go, formulas of others last.
+//
+// A reader keeps the formulas that it has read, so each simulation has one of its own, and it is
+// used by whoever steps that simulation.
+#pragma once
+
+#include "derived/formula.h"
+#include "measure/probe.h"
+
+#include <optional>
+#include <vector>
+
+namespace ripstop {
+
+class ProbeReader
+{
+public:
+    // In the units of the probes; not a number where there is nothing to read.
+    std::vector<double> read(Readings& readings);
+
+private:
+    void prepare(const std::vector<ProbeSpec>& probes);
+
+    struct Known
+    {
+        std::string name;
+        std::string unit;
+        std::string formula;
+
+        friend bool operator==(const Known&, const Known&) = default;
+    };
+    std::vector<Known> m_known;                     // that the formulas were read for
+    std::vector<std::optional<Formula>> m_formulas; // [probes]
+};
+
+} // namespace ripstop

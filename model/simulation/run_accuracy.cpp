@@ -1,0 +1,32 @@
+#include "simulation/run_accuracy.h"
+
+namespace ripstop {
+
+Message RunAccuracy::complaint() const
+{
+    if (isMet())
+        return {};
+    const auto percent = [](double share) { return Message::number("%.3g", 100.0 * share); };
+    const Message where =
+        worstLink == 0
+            ? Message("%1 % of the steps missed the wanted accuracy, worst at %2 s in elastic "
+                      "panels by a factor of %3",
+                      percent(missedShare()), Message::number("%.3g", worstTime),
+                      Message::number("%.3g", worst))
+            : Message("%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a "
+                      "factor of %4",
+                      percent(missedShare()), Message::number("%.3g", worstTime), worstLink,
+                      Message::number("%.3g", worst));
+    if (pulls <= wantedPulls && strain <= wantedStrain)
+        return Message("%1. By now it is kept; a shorter time step may keep it throughout.", where);
+    return pulls / wantedPulls >= strain / wantedStrain
+               ? Message("%1. Pulls in links are off by %2 % in the last one, where %3 % are "
+                         "wanted: the design is not as stiff as it says. Take a shorter time "
+                         "step, or the automatic solver.",
+                         where, percent(pulls), percent(wantedPulls))
+               : Message("%1. Rods that never stretch are %2 % too long in the last one, where %3 "
+                         "% are wanted. Take a shorter time step, or the automatic solver.",
+                         where, percent(strain), percent(wantedStrain));
+}
+
+} // namespace ripstop
