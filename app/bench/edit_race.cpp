@@ -17,11 +17,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-const std::vector<Column> columns{
+const std::vector<Column> editColumns{
     {"cloth tied by", -14}, {"edit", -34},     {"window ms", 10}, {"worker ms", 10},
     {"runner ms", 10},      {"median ms", 10}, {"slow", 8}};
 
-struct Case
+struct EditCase
 {
     const char* name;
     Edit (*make)(const Scene& scene, int turn); // the same size in each turn
@@ -61,7 +61,7 @@ Edit setMaterial(const Scene& scene, const Property& property, double value)
     return set(property, {sheet(scene).links.front().material}, value);
 }
 
-const Case cases[]{
+const EditCase editCases[]{
     {"mass of one particle",
      [](const Scene& scene, int turn) {
          return set(propertyOf<&Particle::mass>(), {middle(scene).id}, 1e-4 + 1e-6 * turn);
@@ -203,7 +203,7 @@ std::optional<Json> editRace(const BenchOptions& options)
     Json rows = Json::array();
     if (options.quick || !isWanted(options, "cloth_316"))
         return Json::object();
-    Table table("Edits of a running cloth of 316 x 316 particles", columns, !options.json);
+    Table table("Edits of a running cloth of 316 x 316 particles", editColumns, !options.json);
     for (const LinkKind kind : {LinkKind::Rod, LinkKind::Spring}) {
         Result<Scene> scene = clothScene(kind);
         if (!scene)
@@ -223,7 +223,7 @@ std::optional<Json> editRace(const BenchOptions& options)
                             {"runner_seconds", jsonOf(timingSummaryOf(seconds[2]))},
                             {"seconds", jsonOf(timingSummaryOf(seconds[3]))}});
         };
-        for (const Case& edit : cases) {
+        for (const EditCase& edit : editCases) {
             std::vector<double> seconds[4];
             for (int turn = 0; turn < turns; ++turn) {
                 if (interrupted())

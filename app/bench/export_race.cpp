@@ -32,8 +32,8 @@ struct Cost
     double processorSeconds;
 };
 
-const std::vector<Column> columns{{"format", -14}, {"frames", 8},    {"MB", 10},
-                                  {"s", 9},        {"ms/frame", 10}, {"processor s", 13}};
+const std::vector<Column> exportColumns{{"format", -14}, {"frames", 8},    {"MB", 10},
+                                        {"s", 9},        {"ms/frame", 10}, {"processor s", 13}};
 
 Result<std::vector<std::shared_ptr<Frame>>> moments(const Scene& scene, int count)
 {
@@ -97,7 +97,8 @@ std::optional<Json> exportRace(const BenchOptions& options)
         return std::nullopt;
     const MeshAppearance appearance(*scene);
     Json rows = Json::array();
-    Table table("Export of 600 frames of a cloth of 100 x 100 particles", columns, !options.json);
+    Table table("Export of 600 frames of a cloth of 100 x 100 particles", exportColumns,
+                !options.json);
     for (const ExportFormat& format : exportFormats()) {
         if (format.of != ExportFormat::Of::Series)
             continue;

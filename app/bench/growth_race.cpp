@@ -11,8 +11,9 @@
 namespace ripstop {
 namespace {
 
-const std::vector<Column> columns{{"network", -12},       {"particles", 10}, {"solver", -16},
-                                  {"ms/sweep quiet", 14}, {"median", 10},    {"ns/particle", 11}};
+const std::vector<Column> growthColumns{{"network", -12}, {"particles", 10},
+                                        {"solver", -16},  {"ms/sweep quiet", 14},
+                                        {"median", 10},   {"ns/particle", 11}};
 
 struct Point
 {
@@ -54,7 +55,7 @@ std::optional<Json> growthRace(const BenchOptions& options)
     std::vector<std::vector<Point>> middle(choices.size());
     Json rows = Json::array();
     {
-        Table table("Growth: time of one sweep, its share of the step included", columns,
+        Table table("Growth: time of one sweep, its share of the step included", growthColumns,
                     !options.json);
         for (const int side : {10, 18, 32, 56, 100, 178, 316, 562, 1000}) {
             if (options.quick && side > 100)

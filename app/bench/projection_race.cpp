@@ -75,7 +75,7 @@ Json projectionRow(const BenchNetwork& network, const Setup& setup, const Timing
             {"times_one_thread", jsonOf(speedup)}};
 }
 
-void print(Table& table, const Json& row)
+void printProjection(Table& table, const Json& row)
 {
     const Json& ns = row["ns_per_projection"];
     table.row({row["network"], std::to_string(row["rods"].get<long>()),
@@ -108,7 +108,7 @@ bool projection(const BenchOptions& options, const Case& one, Table& table, Json
     for (std::size_t i = 0; i < setups.size(); ++i) {
         rows.push_back(projectionRow(network, setups[i], timingSummaryOf(times[i]),
                                      timingSummaryOf(ratios(times[0], times[i]))));
-        print(table, rows.back());
+        printProjection(table, rows.back());
     }
     return true;
 }

@@ -15,9 +15,9 @@
 namespace ripstop {
 namespace {
 
-const std::vector<Column> columns{{"network", -12}, {"below", 6},   {"solver", -16},
-                                  {"effort", 14},   {"strain", 9},  {"path error", 10},
-                                  {"quiet/s", 9},   {"median/s", 9}};
+const std::vector<Column> qualityColumns{{"network", -12}, {"below", 6},   {"solver", -16},
+                                         {"effort", 14},   {"strain", 9},  {"path error", 10},
+                                         {"quiet/s", 9},   {"median/s", 9}};
 
 constexpr double limits[]{0.01, 0.001};
 
@@ -154,7 +154,7 @@ Json rowOf(const Contest& contest, const Finding& finding, const std::vector<dou
     return row;
 }
 
-void print(Table& table, const Json& row)
+void printQuality(Table& table, const Json& row)
 {
     std::vector<std::string> cells{row["network"], percent(row["limit"]), row["solver"]};
     if (row["reached"]) {
@@ -185,7 +185,7 @@ void timeFindings(const Contest& contest, const std::vector<Finding>& findings,
     for (const Finding& finding : findings) {
         rows.push_back(
             rowOf(contest, finding, finding.effort ? times[next++] : std::vector<double>{}));
-        print(table, rows.back());
+        printQuality(table, rows.back());
     }
 }
 
@@ -197,7 +197,7 @@ std::optional<Json> qualityRace(const BenchOptions& options)
     Json curve = Json::array();
     Table table("Time to quality: steps of 10 ms per second of one core with the largest strain "
                 "below a limit and the mass centre within 50 mm (* not judged)",
-                columns, !options.json);
+                qualityColumns, !options.json);
     for (const char* name :
          {"glider_air", "kite_air", "rope_pilot", "cloth_10", "cloth_32", "cloth_100"}) {
         if (!isWanted(options, name) || (options.quick && name == std::string_view("cloth_100")))

@@ -18,8 +18,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 1.225; // kg/m^3
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array laws{AirLaw::Paper, AirLaw::LinearNormal};
 
 // A right triangle with two legs of this length in the xz plane.
@@ -65,9 +64,9 @@ void addTerminals(std::vector<Case>& cases)
     for (const AirLaw law : laws)
         cases.push_back(
             {"T-A1", "plate broadside to 7 m/s, 0.5 m2, C 1.17, " + nameOf(law),
-             0.5 * density * 1.17 * 0.5 * 49.0, relative(1e-12), "N", "rho C A V^2 / 2", [=] {
+             0.5 * airDensity * 1.17 * 0.5 * 49.0, relative(1e-12), "N", "rho C A V^2 / 2", [=] {
                  const auto [a, b, c] = triangle(1.0);
-                 return panelLoad(airOf(law, 1.17), a, b, c, {0.0, 7.0, 0.0}, density).y();
+                 return panelLoad(airOf(law, 1.17), a, b, c, {0.0, 7.0, 0.0}, airDensity).y();
              }});
 }
 
@@ -93,10 +92,10 @@ double dragOfRevolution(AirLaw law, double coefficient, int rings, int sectors,
             const Vec3 b = node(i + 1, j);
             const Vec3 c = node(i + 1, j + 1);
             const Vec3 d = node(i, j + 1);
-            force += panelLoad(panel, a, b, c, wind, density);
-            force += panelLoad(panel, a, c, d, wind, density);
+            force += panelLoad(panel, a, b, c, wind, airDensity);
+            force += panelLoad(panel, a, c, d, wind, airDensity);
         }
-    return force.dot(wind) / (0.5 * density * wind.squaredNorm() * wind.norm());
+    return force.dot(wind) / (0.5 * airDensity * wind.squaredNorm() * wind.norm());
 }
 
 double capDrag(AirLaw law, double halfAngle, int rings, int sectors) // on pi R^2, C = 1
@@ -197,8 +196,8 @@ void addIncidences(std::vector<Case>& cases)
                      const auto [a, b, c] = triangle(1.0);
                      const Vec3 wind = 10.0 * Vec3(std::cos(alpha), s, 0.0);
                      const Vec3 load =
-                         panelLoad(airOf(law, paper ? 4.0 : 2.0), a, b, c, wind, density);
-                     return load.y() / (0.5 * density * 100.0 * 0.5);
+                         panelLoad(airOf(law, paper ? 4.0 : 2.0), a, b, c, wind, airDensity);
+                     return load.y() / (0.5 * airDensity * 100.0 * 0.5);
                  }});
         }
 }
@@ -210,7 +209,7 @@ double canopySpeed(double nominal, double mass)
     const double radius = nominal / std::sqrt(8.0);
     const double perPressure =
         capDrag(AirLaw::Paper, 0.5 * pi, 192, 384) * 4.0 * 0.775 * pi * radius * radius; // m^2
-    return std::sqrt(2.0 * mass * standardGravity / (density * perPressure));
+    return std::sqrt(2.0 * mass * standardGravity / (airDensity * perPressure));
 }
 
 void addCanopies(std::vector<Case>& cases)

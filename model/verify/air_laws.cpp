@@ -19,8 +19,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 1.225; // kg/m^3
-
 Material materialOf(AirLaw law, double coefficient, double friction = 0.0)
 {
     Material material;
@@ -59,8 +57,8 @@ Plate plate(const Material& material, double angle) // degrees
     const double alpha = angle * degrees;
     const Vec3 wind = 10.0 * Vec3(std::cos(alpha), std::sin(alpha), 0.0);
     const Vec3 c =
-        panelLoad(airOf(material), Vec3::Zero(), {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, wind, density)
-        / (0.5 * density * 100.0 * 0.5);
+        panelLoad(airOf(material), Vec3::Zero(), {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, wind, airDensity)
+        / (0.5 * airDensity * 100.0 * 0.5);
     return {c.y(), c.y() * std::cos(alpha) - c.x() * std::sin(alpha),
             c.y() * std::sin(alpha) + c.x() * std::cos(alpha)};
 }
@@ -88,7 +86,7 @@ Worst worstOf(Material material)
         material.skinFriction = i % 2 ? 0.02 : 0.0;
         const MaterialAir air = airOf(material);
         const auto load = [&](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& w) {
-            return panelLoad(air, p, q, r, w, density);
+            return panelLoad(air, p, q, r, w, airDensity);
         };
         const Vec3 whole = load(a, b, c, wind);
         const double size = 1.0 + whole.norm();
@@ -126,7 +124,7 @@ double alongThePanel(Material material, double friction) // N, of 10 m/s on 0.5 
 {
     material.skinFriction = friction;
     return panelLoad(airOf(material), Vec3::Zero(), {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0},
-                     {6.0, 0.0, 8.0}, density)
+                     {6.0, 0.0, 8.0}, airDensity)
         .dot(Vec3(0.6, 0.0, 0.8));
 }
 
@@ -156,7 +154,7 @@ void addSymmetries(std::vector<Case>& cases)
                          within(1e-15), "N", "no normal force",
                          [law = law] { return alongThePanel(law, 0.0); }});
         cases.push_back({"T-A7", std::string("the same with skin friction 0.01, 0.5 m2, ") + name,
-                         0.5 * density * 0.01 * 0.5 * 100.0, relative(1e-12), "N",
+                         0.5 * airDensity * 0.01 * 0.5 * 100.0, relative(1e-12), "N",
                          "rho Cs A V^2 / 2", [law = law] { return alongThePanel(law, 0.01); }});
     }
 }
@@ -164,7 +162,7 @@ void addSymmetries(std::vector<Case>& cases)
 // --- plates at all angles
 // ----------------------------------------------------------------------------
 
-void addPlates(std::vector<Case>& cases)
+void addPlateLaws(std::vector<Case>& cases)
 {
     const Material both = blended(2.44, 1.17);
     for (const auto& [angle, digits] :
@@ -221,7 +219,7 @@ void addPorous(std::vector<Case>& cases)
 {
     // air permeability at 124.5 Pa, m/s
     for (const auto& [cloth, leak] : {std::pair("MIL-C-7020 type I", 0.41), {"type II", 0.81}}) {
-        const double c = leak / std::sqrt(2.0 * 124.5 / density);
+        const double c = leak / std::sqrt(2.0 * 124.5 / airDensity);
         for (const AirLaw law : {AirLaw::Paper, AirLaw::LinearNormal})
             cases.push_back(
                 {"4.9",
@@ -234,7 +232,7 @@ void addPorous(std::vector<Case>& cases)
         char title[60];
         std::snprintf(title, sizeof title, "porous plate falls flat, c %g, speed", c);
         cases.push_back({"4.9", title,
-                         std::sqrt(2.0 * 0.3 * standardGravity / (density * 1.4 * 0.5))
+                         std::sqrt(2.0 * 0.3 * standardGravity / (airDensity * 1.4 * 0.5))
                              * (1.0 + c * std::sqrt(1.4)),
                          within(1e-6), "m/s", "sqrt(2 m g / (rho C A)) (1 + c sqrt(C))",
                          [=] { return porousDescent(c); }});
@@ -247,7 +245,7 @@ void addPorous(std::vector<Case>& cases)
 Vec3 leaning(double angle) // N, 3 m at this angle to 7 m/s, Cd d 2 mm, degrees
 {
     const Vec3 along(std::cos(angle * degrees), std::sin(angle * degrees), 0.0);
-    return lineDrag(0.002, Vec3::Zero(), 3.0 * along, {7.0, 0.0, 0.0}, density);
+    return lineDrag(0.002, Vec3::Zero(), 3.0 * along, {7.0, 0.0, 0.0}, airDensity);
 }
 
 // 20 g of stick, 2 m long, Cd d 4.4 mm, that falls broadside, m/s.
@@ -276,19 +274,19 @@ void addLines(std::vector<Case>& cases)
     cases.push_back({"4.13", "50 m of 1 mm line across 8 m/s, Cd 1.1, drag", 2.156, within(1e-12),
                      "N", "rho Cd d l V^2 / 2", [] {
                          return lineDrag(1.1 * 0.001, Vec3::Zero(), {0.0, 50.0, 0.0},
-                                         {8.0, 0.0, 0.0}, density)
+                                         {8.0, 0.0, 0.0}, airDensity)
                              .x();
                      }});
     for (const double angle : {0.0, 20.0, 45.0, 70.0}) {
         const double s = std::sin(angle * degrees);
         cases.push_back({"4.13",
                          "line at " + std::to_string(int(angle)) + " degrees to 7 m/s, drag",
-                         0.5 * density * 0.002 * 3.0 * 49.0 * s * s, within(1e-12), "N",
+                         0.5 * airDensity * 0.002 * 3.0 * 49.0 * s * s, within(1e-12), "N",
                          "sin^2: the part across the line (Hoerner 1965)",
                          [=] { return leaning(angle).norm(); }});
     }
     cases.push_back({"4.13", "stick that falls broadside, speed",
-                     std::sqrt(2.0 * 0.02 * standardGravity / (density * 1.1 * 0.004 * 2.0)),
+                     std::sqrt(2.0 * 0.02 * standardGravity / (airDensity * 1.1 * 0.004 * 2.0)),
                      within(1e-6), "m/s", "sqrt(2 m g / (rho Cd d l))", fallingStick});
 }
 
@@ -298,7 +296,7 @@ std::vector<Case> airLawCases()
 {
     std::vector<Case> cases;
     addSymmetries(cases);
-    addPlates(cases);
+    addPlateLaws(cases);
     addPorous(cases);
     addLines(cases);
     return cases;

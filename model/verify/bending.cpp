@@ -26,7 +26,7 @@ enum class Weave { Alternating, OneWay, Equilateral };
 
 // Fabric along x from 0 to `length`, `across` cells wide, and one column of cells before it that is
 // pinned; with `bothEnds` one behind it as well.
-struct Strip
+struct BentStrip
 {
     int along = 20; // cells
     int across = 2;
@@ -45,7 +45,7 @@ struct Strip
     int at(int i, int j) const { return (i + 1) * (across + 1) + j; }
 };
 
-void addCell(const Strip& strip, int i, int j, System& system)
+void addCell(const BentStrip& strip, int i, int j, System& system)
 {
     const int a = strip.at(i, j), b = strip.at(i + 1, j);
     const int c = strip.at(i, j + 1), d = strip.at(i + 1, j + 1);
@@ -61,7 +61,7 @@ void addCell(const Strip& strip, int i, int j, System& system)
         addSpring(system, from, to, distance(system, from, to), stretch);
 }
 
-System strung(const Strip& strip)
+System strung(const BentStrip& strip)
 {
     System system = heavySystem(1.0);
     const int last = strip.bothEnds ? strip.along + 1 : strip.along;
@@ -99,13 +99,13 @@ State settled(System& system, double slowest, Stepping stepping)
     return runFor(system, 12.0 / slowest);
 }
 
-double cantileverFrequency(const Strip& strip) // 1/s
+double cantileverFrequency(const BentStrip& strip) // 1/s
 {
     return 3.516 * std::sqrt(strip.stiffness / (strip.density * std::pow(length, 4)));
 }
 
 // Mean sag of column i, m.
-double sag(const Strip& strip, const State& state, int i)
+double sag(const BentStrip& strip, const State& state, int i)
 {
     double sum = 0.0;
     for (int j = 0; j <= strip.across; ++j)
@@ -113,7 +113,7 @@ double sag(const Strip& strip, const State& state, int i)
     return sum / (strip.across + 1);
 }
 
-double droopByWeight(const Strip& strip) // m, at the tip or in the middle
+double droopByWeight(const BentStrip& strip) // m, at the tip or in the middle
 {
     System system = strung(strip);
     const State state =
@@ -130,7 +130,7 @@ void pull(System& system, int particle, double force)
     addSpring(system, particle, addPin(system, far), 0.0, force / 1000.0);
 }
 
-double droopByEndLoad(const Strip& strip) // m
+double droopByEndLoad(const BentStrip& strip) // m
 {
     System system = strung(strip);
     system.gravity = Vec3::Zero();
@@ -145,7 +145,7 @@ double droopByEndLoad(const Strip& strip) // m
 
 // Degrees below level, of the line from the edge to the tip of a strip twice its bending length
 // long: what a tester after Peirce looks for.
-double peirceAngle(Strip strip)
+double peirceAngle(BentStrip strip)
 {
     const double c = 0.5 * length; // (B / (density g))^(1/3)
     strip.stiffness = c * c * c * strip.density * standardGravity;
@@ -296,14 +296,14 @@ double leftover(Leftover what)
 
 void addStrips(Stepping stepping, std::vector<Case>& cases)
 {
-    Strip usual;
+    BentStrip usual;
     usual.stepping = stepping;
     const std::string by = stepping == Stepping::Fine ? "" : ", by default";
     const double weight = usual.density * standardGravity; // N/m^2
     const double tip = weight * std::pow(length, 4) / (8.0 * usual.stiffness);
     const auto row = [&](const std::string& title, double expected, Tolerance tolerance,
                          const char* source, auto measure, auto change) {
-        Strip strip = usual;
+        BentStrip strip = usual;
         change(strip);
         const bool slope = tolerance.rule == Rule::Absolute;
         cases.push_back({"M6", title + by, expected, tolerance, slope ? "deg" : "m", source,
@@ -311,28 +311,28 @@ void addStrips(Stepping stepping, std::vector<Case>& cases)
     };
     for (const int along : {10, 20, 40})
         row("strip droops by its weight, " + std::to_string(along) + " cells", tip, relative(0.02),
-            "w L^4 / (8 B)", droopByWeight, [=](Strip& strip) { strip.along = along; });
+            "w L^4 / (8 B)", droopByWeight, [=](BentStrip& strip) { strip.along = along; });
     row("strip droops by its weight, all diagonals one way", tip, relative(0.02), "w L^4 / (8 B)",
-        droopByWeight, [](Strip& strip) {
+        droopByWeight, [](BentStrip& strip) {
             strip.across = 3;
             strip.weave = Weave::OneWay;
         });
     row("strip droops by its weight, equilateral cells", tip, relative(0.03), "w L^4 / (8 B)",
-        droopByWeight, [](Strip& strip) {
+        droopByWeight, [](BentStrip& strip) {
             strip.across = 6;
             strip.weave = Weave::Equilateral;
         });
     row("strip clamped at both ends", weight * std::pow(length, 4) / (384.0 * usual.stiffness),
         relative(0.025), "w L^4 / (384 B)", droopByWeight,
-        [](Strip& strip) { strip.bothEnds = true; });
+        [](BentStrip& strip) { strip.bothEnds = true; });
     row("load at the end of a strip",
         endLoad * std::pow(length, 3) / (3.0 * usual.stiffness * usual.width()), relative(0.02),
-        "F L^3 / (3 B W)", droopByEndLoad, [](Strip&) {});
+        "F L^3 / (3 B W)", droopByEndLoad, [](BentStrip&) {});
     // heavy elastica, B t'' = -w (L - s) cos t with t(0) = t'(L) = 0, for w L^3 = 8 B
     row("Peirce: slope of a strip twice its bending length", 41.4873, within(0.5),
-        "heavy elastica; Peirce 1930: 41.5", peirceAngle, [](Strip&) {});
+        "heavy elastica; Peirce 1930: 41.5", peirceAngle, [](BentStrip&) {});
     row("Peirce: slope of that strip with equilateral cells", 41.4873, within(0.5),
-        "heavy elastica; Peirce 1930: 41.5", peirceAngle, [](Strip& strip) {
+        "heavy elastica; Peirce 1930: 41.5", peirceAngle, [](BentStrip& strip) {
             strip.across = 12;
             strip.weave = Weave::Equilateral;
         });

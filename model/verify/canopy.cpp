@@ -17,8 +17,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 1.225; // kg/m^3
-
 // --- a rigid cup: a pyramid of four panels, 0.5 m high, its mouth a square of 1 m x 1 m, down
 
 constexpr double cupHeight = 0.5;
@@ -110,7 +108,7 @@ double releaseOfCup(double addedMass)
 
 double addedMassOfCup()
 {
-    return density * 2.0 / 3.0 * std::numbers::pi
+    return airDensity * 2.0 / 3.0 * std::numbers::pi
            * std::pow(cupSide * cupSide / std::numbers::pi, 1.5);
 }
 
@@ -157,7 +155,7 @@ double sinkRate(double porosity) // m/s
 void addCups(std::vector<Case>& cases)
 {
     const std::string pyramid = "rigid cup, ";
-    const double q = 0.5 * density * 100.0;
+    const double q = 0.5 * airDensity * 100.0;
     cases.push_back({"T-C1", pyramid + "volume at the start", cupHeight * cupSide * cupSide / 3.0,
                      relative(1e-12), "m\u00b3", "pyramid",
                      [] { return run(cup({}), 1).canopies[0].volume; }});

@@ -106,7 +106,7 @@ Bounces bounces(Integrator integrator, double restitution, double total)
     return result;
 }
 
-void addFalls(std::vector<Case>& cases)
+void addDrops(std::vector<Case>& cases)
 {
     for (const Integrator integrator : falling) {
         const auto drop = shared([=] { return fall(integrator); });
@@ -281,7 +281,7 @@ void addResponses(std::vector<Case>& cases)
 std::vector<Case> contactCases()
 {
     std::vector<Case> cases;
-    addFalls(cases);
+    addDrops(cases);
     addSlopes(cases);
     addResponses(cases);
     return cases;

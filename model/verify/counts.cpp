@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-void addLattices(std::vector<Case>& cases)
+void addLatticeCounts(std::vector<Case>& cases)
 {
     for (const int n : {3, 5, 8, 14}) {
         std::uint32_t made = 0;
@@ -48,7 +48,7 @@ const Part* partOf(const Scene& scene)
     return found;
 }
 
-void addDesigns(std::vector<Case>& cases)
+void addDesignCounts(std::vector<Case>& cases)
 {
     const char* glider = "Beaudry, Egli, Patenaude 2005, 6.3";
     const char* kite = "Beaudry, Egli, Patenaude 2005, 7.3";
@@ -136,8 +136,8 @@ void addDesigns(std::vector<Case>& cases)
 std::vector<Case> countCases()
 {
     std::vector<Case> cases;
-    addLattices(cases);
-    addDesigns(cases);
+    addLatticeCounts(cases);
+    addDesignCounts(cases);
     return cases;
 }
 

@@ -13,8 +13,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double membrane = 40e3; // N/m, of kite cloth
-constexpr double density = 0.047; // kg/m^2
+constexpr double clothStiffness = 40e3; // N/m, of kite cloth
+constexpr double clothDensity = 0.047;  // kg/m^2
 
 // 1 m x 1 m of threads, hung by its upper edge, with a load along the lower one; each thread
 // carries as much as the width that it stands for.
@@ -24,7 +24,7 @@ Scene hungSheet(int cells, double load)
     scene.settings.viscosity = 1.0;
     scene.settings.airDensity = 0.0;
     Material cloth;
-    cloth.membraneStiffness = membrane;
+    cloth.membraneStiffness = clothStiffness;
     Part part;
     std::uint32_t next = 1;
     const Id material = Id(next++);
@@ -38,7 +38,7 @@ Scene hungSheet(int cells, double load)
             Particle particle;
             particle.id = Id(next++);
             particle.position = Vec3(column * cell, 2.0 - row * cell, 0.0);
-            particle.mass = density * share(column) * share(row);
+            particle.mass = clothDensity * share(column) * share(row);
             if (row == cells)
                 particle.mass += load * share(column);
             particle.pinned = row == 0;
@@ -109,8 +109,9 @@ std::vector<Case> defaultCases()
         cases.push_back({"D-S",
                          "kite cloth of E t 40 kN/m hangs 10 kg by default, "
                              + std::to_string(cells) + " x " + std::to_string(cells),
-                         standardGravity * (load + 0.5 * density) / membrane, relative(0.01), "m",
-                         "(M + m / 2) g L / (E t W)", [=] { return drop(cells, load); }});
+                         standardGravity * (load + 0.5 * clothDensity) / clothStiffness,
+                         relative(0.01), "m", "(M + m / 2) g L / (E t W)",
+                         [=] { return drop(cells, load); }});
     const HungLine pilot{50, 10.0, 0.5, 65.0, 1e5};
     std::vector<HungLine> lines{pilot};
     for (const double axial : {100.0, 1e4, 1e6, 1e8})

@@ -19,8 +19,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 1.225; // kg/m^3
-
 // --- plates
 // ---------------------------------------------------------------------------------------
 
@@ -36,8 +34,8 @@ Polar polarOf(const MaterialAir& panel, double angle)
     const double leg = std::sqrt(2.0);
     const Vec3 wind(std::cos(angle), std::sin(angle), 0.0);
     const Vec3 load =
-        panelLoad(panel, Vec3::Zero(), Vec3(0.0, 0.0, leg), Vec3(leg, 0.0, 0.0), wind, density)
-        / (0.5 * density);
+        panelLoad(panel, Vec3::Zero(), Vec3(0.0, 0.0, leg), Vec3(leg, 0.0, 0.0), wind, airDensity)
+        / (0.5 * airDensity);
     return {load.dot(Vec3(-wind.y(), wind.x(), 0.0)), load.dot(wind)};
 }
 
@@ -77,7 +75,7 @@ double leastSink(const PolarAt& polarAt)
     for (double angle = 1.0; angle < 60.0; angle += 0.01) {
         const Polar polar = polarAt(angle * degrees);
         const double size = std::hypot(polar.lift, polar.drag);
-        const double speed = std::sqrt(2.0 * 90.0 * standardGravity / (density * 18.0 * size));
+        const double speed = std::sqrt(2.0 * 90.0 * standardGravity / (airDensity * 18.0 * size));
         least = std::min(least, speed * polar.drag / size);
     }
     return least;
@@ -110,7 +108,7 @@ void addPlates(std::vector<Case>& cases)
              }});
     }
     for (const double speed : {8.0, 12.0, 20.0}) {
-        const double k = 2.0 * 90.0 * standardGravity / (density * 3.1 * 18.0);
+        const double k = 2.0 * 90.0 * standardGravity / (airDensity * 3.1 * 18.0);
         const double v2 = speed * speed;
         cases.push_back({"T-F4",
                          "linear-normal law, level plate of 90 kg, 18 m2, C 3.1, at "
@@ -296,7 +294,7 @@ void addDesigns(std::vector<Case>& cases)
                          const double area = 25.0 * std::numbers::pi / 4.0;
                          return canopy().rate
                                 / std::sqrt(2.0 * mass * standardGravity
-                                            / (density * 0.775 * area));
+                                            / (airDensity * 0.775 * area));
                      }});
 }
 

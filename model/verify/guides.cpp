@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 int addBead(System& system, const Vec3& position, double mass, const Vec3& axis,
             const Vec3& velocity = Vec3::Zero())

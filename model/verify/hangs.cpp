@@ -13,7 +13,7 @@ namespace ripstop {
 namespace {
 
 // Between neighbours; twice; and once more from each node to the one after the next.
-enum class Ties { Single, Double, SecondNeighbours };
+enum class Neighbours { Single, Double, SecondNeighbours };
 
 // A rope of N rods, 14 m in all, node mass 1 kg.
 struct Hang
@@ -24,7 +24,7 @@ struct Hang
     int sweeps;
     double timeStep; // s
     double percent;  // elongation, as published
-    Ties ties = Ties::Single;
+    Neighbours ties = Neighbours::Single;
 };
 
 double elongation(const Hang& hang) // percent, steady
@@ -37,9 +37,9 @@ double elongation(const Hang& hang) // percent, steady
     for (int i = 1; i <= hang.count; ++i) {
         addParticle(system, {0.0, -length * i, 0.0}, i == hang.count ? hang.load : 1.0);
         addRod(system, i - 1, i, length);
-        if (hang.ties == Ties::Double)
+        if (hang.ties == Neighbours::Double)
             addRod(system, i - 1, i, length);
-        if (hang.ties == Ties::SecondNeighbours && i > 1)
+        if (hang.ties == Neighbours::SecondNeighbours && i > 1)
             addRod(system, i - 2, i, 2.0 * length);
     }
     finish(system);
@@ -81,14 +81,14 @@ void addElongations(std::vector<Case>& cases)
         {paper, 7, 1, 55, 0.01, 0.0072},
         {paper, 28, 1, 55, 0.01, 0.1891},
         {paper, 56, 1, 55, 0.01, 0.7811},
-        {paper, 14, 1, 10, 0.01, 0.252, Ties::Double},
-        {paper, 14, 60, 55, 0.01, 0.238, Ties::Double},
-        {paper, 14, 1, 10, 0.01, 0.097, Ties::SecondNeighbours},
-        {paper, 14, 1, 55, 0.01, 0.015, Ties::SecondNeighbours},
-        {paper, 14, 10, 55, 0.01, 0.027, Ties::SecondNeighbours},
-        {paper, 14, 60, 40, 0.01, 0.131, Ties::SecondNeighbours},
-        {paper, 14, 60, 55, 0.01, 0.094, Ties::SecondNeighbours},
-        {paper, 14, 60, 200, 0.01, 0.023, Ties::SecondNeighbours},
+        {paper, 14, 1, 10, 0.01, 0.252, Neighbours::Double},
+        {paper, 14, 60, 55, 0.01, 0.238, Neighbours::Double},
+        {paper, 14, 1, 10, 0.01, 0.097, Neighbours::SecondNeighbours},
+        {paper, 14, 1, 55, 0.01, 0.015, Neighbours::SecondNeighbours},
+        {paper, 14, 10, 55, 0.01, 0.027, Neighbours::SecondNeighbours},
+        {paper, 14, 60, 40, 0.01, 0.131, Neighbours::SecondNeighbours},
+        {paper, 14, 60, 55, 0.01, 0.094, Neighbours::SecondNeighbours},
+        {paper, 14, 60, 200, 0.01, 0.023, Neighbours::SecondNeighbours},
     };
     constexpr const char* more[]{"", ", each twice", " and to second neighbours"};
     for (const Hang& hang : hangs) {

@@ -26,7 +26,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Air under this pressure, Pa, comes in along z. This is the last that is done to a scene.
 void fill(Scene& scene, double pressure)
@@ -37,7 +37,7 @@ void fill(Scene& scene, double pressure)
     Part& part = std::get<Part>(scene.items.back().item);
     part.canopyPressure = 1.0;
     part.addedMass = 0.0;
-    scene.settings.airDensity = 1.225;
+    scene.settings.airDensity = airDensity;
     addWind(scene, std::sqrt(2.0 * pressure / scene.settings.airDensity) * Vec3::UnitZ());
 }
 

@@ -15,8 +15,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 0.25;    // kg/m^2
-constexpr double membrane = 1000.0; // N/m
+constexpr double sheetDensity = 0.25;     // kg/m^2
+constexpr double sheetStiffness = 1000.0; // N/m
 
 constexpr double loose = 2; // what holds the sheet
 constexpr double byTwoEdges = 3;
@@ -27,8 +27,8 @@ Scene sheet(int cells, double hang, double shear)
     return *build(*findBuilder("cloth"), {{"columns", cells},
                                           {"rows", cells},
                                           {"hang", hang},
-                                          {"density", density},
-                                          {"membrane", membrane},
+                                          {"density", sheetDensity},
+                                          {"membrane", sheetStiffness},
                                           {"shear", shear},
                                           {"bend", 0},
                                           {"sphere", 0},
@@ -103,12 +103,13 @@ std::vector<Case> materialCases()
     for (const int cells : {10, 20, 40}) {
         const std::string by = ", " + std::to_string(cells) + " x " + std::to_string(cells);
         const std::string woven = "woven sheet, E t 1000 N/m, ";
-        cases.push_back({"M-E", woven + "pulled along a thread" + by, membrane, relative(1e-3),
-                         "N/m", "F = E t W strain", [=] { return modulus(cells); }});
-        cases.push_back({"M-W", "sheet of 0.25 kg/m^2" + by, density, relative(1e-12), "kg",
+        cases.push_back({"M-E", woven + "pulled along a thread" + by, sheetStiffness,
+                         relative(1e-3), "N/m", "F = E t W strain",
+                         [=] { return modulus(cells); }});
+        cases.push_back({"M-W", "sheet of 0.25 kg/m^2" + by, sheetDensity, relative(1e-12), "kg",
                          "density x area", [=] { return mass(cells); }});
         cases.push_back({"M-S", woven + "sag between two edges" + by,
-                         std::cbrt(3.0 * density * standardGravity / (64.0 * membrane)),
+                         std::cbrt(3.0 * sheetDensity * standardGravity / (64.0 * sheetStiffness)),
                          relative(0.03), "m", "s^3 = 3 w W^4 / (64 E t), parabola",
                          [=] { return sag(cells); }});
     }

@@ -25,7 +25,7 @@ namespace {
 
 // --- a strip that hangs ----------------------------------------------------------------------
 
-struct Strip
+struct HungStrip
 {
     double length, width, density, load; // m, m, kg/m^2, N
     double warp;                         // degrees from the vertical
@@ -35,7 +35,7 @@ struct Strip
 
 // Its upper edge is held in height and free to get narrower and to skew. Returns how far the lower
 // edge has come down, m.
-double drop(const Strip& strip)
+double drop(const HungStrip& strip)
 {
     Scene scene =
         sceneOf(rectangle(strip.length, strip.width, strip.along, strip.across, strip.parted),
@@ -91,7 +91,7 @@ void addStrips(std::vector<Case>& cases)
 {
     for (const double degrees : {0.0, 22.5, 45.0, 90.0})
         for (const bool fine : {false, true}) {
-            const Strip strip{
+            const HungStrip strip{
                 0.3,     0.05,           1e-5,         0.25,
                 degrees, fine ? 24 : 12, fine ? 4 : 2, fine ? Parted::Falling : Parted::Rising};
             const double pull = strip.load / strip.width;
@@ -109,7 +109,7 @@ void addStrips(std::vector<Case>& cases)
     for (const auto& [warp, expected] :
          {Hung{0.0, 2.5206e-3}, Hung{90.0, 4.0330e-3}, Hung{45.0, biasDrop(50.0, 0.042)}})
         for (const int cells : {10, 20}) {
-            const Strip sheet{2.0, 1.0, 0.042, 50.0, warp, 2 * cells, cells};
+            const HungStrip sheet{2.0, 1.0, 0.042, 50.0, warp, 2 * cells, cells};
             cases.push_back({"RF-7",
                              "sheet of 2 m hangs 50 N, warp at " + digits(warp, 3) + " degrees, "
                                  + std::to_string(sheet.along) + " x "

@@ -126,7 +126,7 @@ constexpr double terminal = 5.294; // m/s
 
 System fallingPlate(Integrator integrator, double timeStep)
 {
-    const double mass = 1.225 * 2.0 * 0.5 * terminal * terminal / (2.0 * standardGravity);
+    const double mass = airDensity * 2.0 * 0.5 * terminal * terminal / (2.0 * standardGravity);
     System system = flatTriangle(timeStep, integrator, mass, 2.0, Vec3(0.0, 1.0, 0.0));
     system.gravity = {0.0, -standardGravity, 0.0};
     finish(system);
@@ -192,7 +192,7 @@ void addFalls(std::vector<Case>& cases)
 // v0 / (1 + v0 t / lam), lam = 2 m / (rho C A).
 void addBraking(std::vector<Case>& cases)
 {
-    const double length = 2.0 * 0.2 / (1.225 * 1.2 * 0.5); // m
+    const double length = 2.0 * 0.2 / (airDensity * 1.2 * 0.5); // m
     const auto braked = [](Integrator integrator, double timeStep) {
         System system = flatTriangle(timeStep, integrator, 0.2, 1.2, Vec3(1.0, 0.0, 0.0));
         for (auto& velocity : system.start.velocity)
@@ -223,7 +223,7 @@ void addBraking(std::vector<Case>& cases)
 // Released at rest in wind W, a plate drifts W t - lam ln(1 + W t / lam).
 void addDrifts(std::vector<Case>& cases)
 {
-    const double length = 2.0 * 0.2 / (1.225 * 1.2 * 0.5);             // m
+    const double length = 2.0 * 0.2 / (airDensity * 1.2 * 0.5);        // m
     const double drifts[][2] = {{2.0, 3.0}, {12.0, 1.0}, {-6.0, 2.0}}; // m/s, s
     for (const auto& [wind, time] : drifts) {
         const auto drift = [wind = wind, time = time] {

@@ -15,7 +15,7 @@
 namespace ripstop {
 namespace {
 
-struct Wing
+struct ReferenceWing
 {
     const char* name;
     double area;   // m^2
@@ -34,7 +34,7 @@ struct Point
 // Flown at nine trims; by rising speed. Sail and twist are the builder's. With the plate law the
 // slope is that which the builder's help gives for a delta of this aspect ratio,
 // 2 pi A / (2 + sqrt(A^2 + 8)).
-std::vector<Point> polarOf(const Wing& wing)
+std::vector<Point> polarOf(const ReferenceWing& wing)
 {
     const double span = std::sqrt(wing.aspect * wing.area);
     const double slope = 2.0 * 3.14159265358979323846 * wing.aspect
@@ -100,7 +100,7 @@ std::vector<Reference> gliderReferences()
 {
     const std::string section = "Hang gliders";
     std::vector<Reference> references;
-    const auto row = [&](const Wing& wing, const char* what, double low, double high,
+    const auto row = [&](const ReferenceWing& wing, const char* what, double low, double high,
                          const char* unit, const char* source, auto measure) {
         char note[160];
         std::snprintf(note, sizeof note,
@@ -109,19 +109,19 @@ std::vector<Reference> gliderReferences()
         references.push_back({section, wing.name + std::string(", ") + what, low, high, unit,
                               source, note, measure});
     };
-    const Wing rogallo{
+    const ReferenceWing rogallo{
         "standard Rogallo of the 1970s", 18.0, 2.6, 90.0, AirLaw::LinearNormal, 0.06};
     const auto old = shared([=] { return polarOf(rogallo); });
     row(rogallo, "best glide", 3.5, 4.5, "", "british-hang-gliding-museum; plans of 1974",
         [=] { return bestGlide(old()); });
 
-    const Wing single{"single surface, USHPA-2", 15.5, 5.5, 100.0, AirLaw::Vortex, 0.045};
+    const ReferenceWing single{"single surface, USHPA-2", 15.5, 5.5, 100.0, AirLaw::Vortex, 0.045};
     const auto middle = shared([=] { return polarOf(single); });
     row(single, "best glide", 9.5, 9.5, "", "XCSoar PolarStore",
         [=] { return bestGlide(middle()); });
     row(single, "least sink", 1.04, 1.04, "m/s", "XCSoar PolarStore",
         [=] { return leastSink(middle()); });
-    const char* sport = "Wills Wing Sport 2, f0n/polar";
+    const char* sport = "Wills ReferenceWing Sport 2, f0n/polar";
     for (const auto& [speed, sink] : {std::pair(44.4, 0.987), {64.0, 2.28}, {88.5, 6.10}}) {
         char title[60];
         std::snprintf(title, sizeof title, "sink at %g km/h, beside a Sport 2", speed);
@@ -129,7 +129,7 @@ std::vector<Reference> gliderReferences()
             [=, speed = speed] { return sinkAt(middle(), speed / 3.6); });
     }
 
-    const Wing topless{"topless, USHPA-4", 14.0, 7.2, 100.0, AirLaw::Vortex, 0.03};
+    const ReferenceWing topless{"topless, USHPA-4", 14.0, 7.2, 100.0, AirLaw::Vortex, 0.03};
     const auto late = shared([=] { return polarOf(topless); });
     row(topless, "best glide", 13.4, 13.4, "", "XCSoar PolarStore",
         [=] { return bestGlide(late()); });

@@ -8,6 +8,7 @@
 #include "measure/diagnostics.h"
 #include "verify/opening.h"
 #include "verify/sections.h"
+#include "verify/small_systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,8 +123,8 @@ std::vector<Reference> parachuteReferences()
     const double area = std::numbers::pi * 8.53 * 8.53 / 4.0; // of the C-9, m^2
     references.push_back(
         {section, "C-9, 28 ft, 28 gores, 100 kg, descent",
-         std::sqrt(2.0 * 100.0 * 9.80665 / (1.225 * 0.80 * area)),
-         std::sqrt(2.0 * 100.0 * 9.80665 / (1.225 * 0.75 * area)), "m/s",
+         std::sqrt(2.0 * 100.0 * 9.80665 / (airDensity * 0.80 * area)),
+         std::sqrt(2.0 * 100.0 * 9.80665 / (airDensity * 0.75 * area)), "m/s",
          "Knacke 1991, CD0 0.75 to 0.80 of flat circular canopies", builder, [] {
              return descentRate({{"diameter", 8.53}, {"line_length", 7.3}, {"sectors", 28}}, 100.0);
          }});

@@ -7,6 +7,7 @@
 #include "compile/resolve.h"
 #include "forces/panel_load.h"
 #include "measure/diagnostics.h"
+#include "verify/small_systems.h"
 
 #include <cmath>
 #include <limits>
@@ -14,8 +15,6 @@
 
 namespace ripstop {
 namespace {
-
-constexpr double density = 1.225; // kg/m^3
 
 MaterialAir unchanged(AirLaw law)
 {
@@ -28,8 +27,8 @@ MaterialAir unchanged(AirLaw law)
 double broadside(AirLaw law)
 {
     const Vec3 load = panelLoad(unchanged(law), Vec3::Zero(), Vec3(0.0, 0.0, 1.0),
-                                Vec3(1.0, 0.0, 0.0), Vec3(0.0, 10.0, 0.0), density);
-    return load.y() / (0.5 * density * 100.0 * 0.5);
+                                Vec3(1.0, 0.0, 0.0), Vec3(0.0, 10.0, 0.0), airDensity);
+    return load.y() / (0.5 * airDensity * 100.0 * 0.5);
 }
 
 // Drag coefficient on pi R^2 of a hemisphere along its axis, 96 rings of 192 panels, on which air
@@ -51,10 +50,10 @@ double cup(AirLaw law)
         for (int j = 0; j < sectors; ++j) {
             const Vec3 a = node(i, j);
             const Vec3 c = node(i + 1, j + 1);
-            force += panelLoad(air, a, node(i + 1, j), c, wind, density).y();
-            force += panelLoad(air, a, c, node(i, j + 1), wind, density).y();
+            force += panelLoad(air, a, node(i + 1, j), c, wind, airDensity).y();
+            force += panelLoad(air, a, c, node(i, j + 1), wind, airDensity).y();
         }
-    return force / (0.5 * density * 100.0 * std::numbers::pi);
+    return force / (0.5 * airDensity * 100.0 * std::numbers::pi);
 }
 
 // Mean drag coefficient of a flag on its area, 5 to 10 s. Cotton of 0.15 kg/m^2.
@@ -82,7 +81,7 @@ double flag(double area, double aspect, double wind)
         for (const Vec3& load : panelLoads(system, cloth->state()))
             force += load.dot(along);
     }
-    return force / samples / (0.5 * density * wind * wind * area);
+    return force / samples / (0.5 * airDensity * wind * wind * area);
 }
 
 } // namespace

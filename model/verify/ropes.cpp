@@ -18,7 +18,7 @@ namespace {
 // --- R1: 10 m of rope over a span of 8 m --------------------------------------------------------
 
 // Rope of `count` rods between pins, at rest; starts as a V, which has the right length.
-struct Hung
+struct HungRope
 {
     double sag;                       // m
     double least;                     // N, smallest tension
@@ -26,7 +26,7 @@ struct Hung
     std::array<double, 2> horizontal; // N, smallest and largest of the horizontal force
 };
 
-Hung hung(double span, int count, SolvedBy by, Resists resists)
+HungRope hungRope(double span, int count, SolvedBy by, Resists resists)
 {
     const double length = 10.0 / count;
     const double depth = std::sqrt(25.0 - 0.25 * span * span);
@@ -46,10 +46,10 @@ Hung hung(double span, int count, SolvedBy by, Resists resists)
     finish(system);
     const State state = runFor(system, 8.0);
     const std::vector<double> tension = tensions(system, state);
-    Hung result{-state.position[std::size_t(count / 2)].y(),
-                *std::min_element(tension.begin(), tension.end()),
-                tension[0],
-                {1e9, -1e9}};
+    HungRope result{-state.position[std::size_t(count / 2)].y(),
+                    *std::min_element(tension.begin(), tension.end()),
+                    tension[0],
+                    {1e9, -1e9}};
     for (int i = 0; i < count; ++i) {
         const Vec3 along = state.position[std::size_t(i) + 1] - state.position[std::size_t(i)];
         const double force = tension[std::size_t(i)] * along.x() / along.norm();
@@ -59,7 +59,7 @@ Hung hung(double span, int count, SolvedBy by, Resists resists)
     return result;
 }
 
-void addCatenaries(std::vector<Case>& cases)
+void addRopeCatenaries(std::vector<Case>& cases)
 {
     const double w = 0.2 * standardGravity; // N/m
     const double a = 3.38201879;            // m, from 8 = 2 a asinh(5 / a)
@@ -69,7 +69,7 @@ void addCatenaries(std::vector<Case>& cases)
         {std::nullopt, Resists::Both},           {std::nullopt, Resists::Tension}};
     for (const auto& [solver, resists] : ways) {
         const auto rope =
-            shared([by = solver, resists = resists] { return hung(8.0, 40, by, resists); });
+            shared([by = solver, resists = resists] { return hungRope(8.0, 40, by, resists); });
         const std::string by = std::string(", 10 m over 8 m, 40 ")
                                + (resists == Resists::Both ? "rods, " : "lines, ") + nameOf(solver);
         cases.push_back({"T-R1", "catenary sag" + by, 2.65437509, relative(0.01), "m",
@@ -89,8 +89,9 @@ void addCatenaries(std::vector<Case>& cases)
     for (const auto& [count, sag] : {std::pair(10, 2.668644), {20, 2.657916}, {40, 2.655259}})
         cases.push_back(
             {"T-R1", "sag of " + std::to_string(count) + " rods with lumped masses, direct", sag,
-             relative(1e-3), "m", "statics of the discrete chain",
-             [count = count] { return hung(8.0, count, Solver::Direct, Resists::Tension).sag; }});
+             relative(1e-3), "m", "statics of the discrete chain", [count = count] {
+                 return hungRope(8.0, count, Solver::Direct, Resists::Tension).sag;
+             }});
 }
 
 // --- R2: 1 kg, 10 m, EA = 1e4 N -----------------------------------------------------------------
@@ -211,7 +212,8 @@ double pressed(Solver solver, Resists resists, double length) // m, after projec
 
 void addOneWay(std::vector<Case>& cases)
 {
-    const auto rope = shared([] { return hung(5.0, 40, Solver::GaussSeidel, Resists::Tension); });
+    const auto rope =
+        shared([] { return hungRope(5.0, 40, Solver::GaussSeidel, Resists::Tension); });
     cases.push_back({"T-R6", "10 m of line between anchors 5 m apart, sag", sagOver(5.0),
                      relative(0.01), "m", "5 = 2 a asinh(5 / a), a cosh(2.5/a) - a",
                      [=] { return rope().sag; }});
@@ -241,7 +243,7 @@ void addOneWay(std::vector<Case>& cases)
 std::vector<Case> ropeCases()
 {
     std::vector<Case> cases;
-    addCatenaries(cases);
+    addRopeCatenaries(cases);
     addElasticRopes(cases);
     cases.push_back({"T-R5", "longitudinal mode of 10 m of rope, one end free, 40 springs",
                      std::sqrt(1e4 / 0.1) / 40.0, relative(1e-3), "Hz", "sqrt(EA/mu) / (4 L)",

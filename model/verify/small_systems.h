@@ -12,6 +12,7 @@
 namespace ripstop {
 
 inline constexpr double standardGravity = 9.80665; // m/s^2
+inline constexpr double airDensity = 1.225; // kg/m^3, of the standard atmosphere at sea level
 
 inline constexpr std::array allIntegrators = [] {
     std::array<Integrator, choiceNames<Integrator>.size()> all{};

@@ -22,19 +22,19 @@ namespace ripstop {
 namespace {
 
 constexpr int count = 20;
-constexpr double stiffness = 1000.0; // N/m
-constexpr double mass = 0.001;       // kg
+constexpr double springStiffness = 1000.0; // N/m
+constexpr double particleMass = 0.001;     // kg
 
 System elasticRope(double hw, Solver solver, int sweeps)
 {
-    System system = heavySystem(hw * std::sqrt(mass / stiffness));
+    System system = heavySystem(hw * std::sqrt(particleMass / springStiffness));
     system.solver = solver;
     system.sweeps = sweeps;
     system.viscosity = 0.02 / system.timeStep;
     addPin(system, Vec3::Zero());
     for (int i = 1; i <= count; ++i) {
-        addParticle(system, {0.0, -1.0 * i, 0.0}, mass);
-        addRod(system, i - 1, i, 1.0, 1.0 / stiffness);
+        addParticle(system, {0.0, -1.0 * i, 0.0}, particleMass);
+        addRod(system, i - 1, i, 1.0, 1.0 / springStiffness);
     }
     finish(system);
     return system;
@@ -42,7 +42,7 @@ System elasticRope(double hw, Solver solver, int sweeps)
 
 double naturalLength() // m, of the extension under the own weight
 {
-    return 0.5 * count * (count + 1) * mass * standardGravity / stiffness;
+    return 0.5 * count * (count + 1) * particleMass * standardGravity / springStiffness;
 }
 
 // Substeps in which the slowest mode, w pi / 2N, has died away.

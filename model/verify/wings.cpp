@@ -17,8 +17,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 1.225; // kg/m^3
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double speed = 10.0; // m/s
 
 // A wing in calm air, nose to -x, span along z, at rest unless said.
@@ -39,7 +38,7 @@ MaterialAir wingAir(double stall = 15.0)
 
 void close(Sail& sail)
 {
-    sail.system.airDensity = density;
+    sail.system.airDensity = airDensity;
     sail.system.wind = {speed, 0.0, 0.0};
     finish(sail.system);
     sail.area = fabricArea(sail.system, sail.system.start);
@@ -139,7 +138,7 @@ Wing inWind(Sail sail, const Vec3& wind)
         wing.force += loads[i];
         wing.moment += middle.cross(loads[i]);
     }
-    const double pressure = 0.5 * density * wind.squaredNorm() * sail.area;
+    const double pressure = 0.5 * airDensity * wind.squaredNorm() * sail.area;
     wing.force /= pressure;
     wing.moment /= pressure;
     const Vec3 along = wind.normalized();
@@ -295,7 +294,7 @@ double roll(double rate) // m, moment over q S of the wing that rolls at `rate`,
     return inWind(sail, windAt(0.0)).moment.x();
 }
 
-void addInvariants(std::vector<Case>& cases)
+void addWingInvariants(std::vector<Case>& cases)
 {
     cases.push_back({"T-A11", "wing with the vortex law, mirror image of force and moment", 0.0,
                      within(1e-12), "", "symmetry", mirrorError});
@@ -346,7 +345,7 @@ std::vector<Case> wingCases()
     std::vector<Case> cases;
     addPlanforms(cases);
     addCamber(cases);
-    addInvariants(cases);
+    addWingInvariants(cases);
     addStall(cases);
     return cases;
 }
