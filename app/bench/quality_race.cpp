@@ -40,7 +40,7 @@ bool isTooLarge(const Contest& contest, const Choice& choice)
     return double(contest.network.system->key.size()) > choice.mostParticles;
 }
 
-struct Finding // a row
+struct FoundEffort // a row
 {
     const Choice* choice;
     double limit;
@@ -85,7 +85,7 @@ double budgetFor(const Contest& contest, const Choice& choice, const BenchOption
 // The least efforts of one solver for each limit: with the right path, and, where it is less, for
 // strain alone. What fails for one limit is not tried for a finer one.
 void findEfforts(const Contest& contest, const BenchOptions& options, Search& search,
-                 const Choice& choice, std::vector<Finding>& findings)
+                 const Choice& choice, std::vector<FoundEffort>& findings)
 {
     const double budget = budgetFor(contest, choice, options);
     bool hopeful = true;
@@ -112,10 +112,10 @@ void findEfforts(const Contest& contest, const BenchOptions& options, Search& se
     }
 }
 
-std::vector<Finding> findAllEfforts(const Contest& contest, const BenchOptions& options,
-                                    Json& curve)
+std::vector<FoundEffort> findAllEfforts(const Contest& contest, const BenchOptions& options,
+                                        Json& curve)
 {
-    std::vector<Finding> findings;
+    std::vector<FoundEffort> findings;
     const std::string& name = contest.network.name;
     ProgressLine progress("searching " + name);
     for (const Choice& choice : allChoices()) {
@@ -137,7 +137,7 @@ std::vector<Finding> findAllEfforts(const Contest& contest, const BenchOptions& 
     return findings;
 }
 
-Json rowOf(const Contest& contest, const Finding& finding, const std::vector<double>& times)
+Json rowOf(const Contest& contest, const FoundEffort& finding, const std::vector<double>& times)
 {
     Json row{{"network", contest.network.name},
              {"solver", finding.choice->name},
@@ -171,18 +171,18 @@ void printQuality(Table& table, const Json& row)
 }
 
 // The efforts found, timed in the same rounds.
-void timeFindings(const Contest& contest, const std::vector<Finding>& findings,
+void timeFindings(const Contest& contest, const std::vector<FoundEffort>& findings,
                   const BenchOptions& options, Table& table, Json& rows)
 {
     std::vector<BenchRunner> runners;
-    for (const Finding& finding : findings)
+    for (const FoundEffort& finding : findings)
         if (finding.effort)
             runners.push_back(engineRunner(networkFor(contest, *finding.choice),
                                            finding.choice->at(*finding.effort)));
     const double budget = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 2.0;
     const auto times = timeInRounds(contest.network.name, runners, budget);
     std::size_t next = 0;
-    for (const Finding& finding : findings) {
+    for (const FoundEffort& finding : findings) {
         rows.push_back(
             rowOf(contest, finding, finding.effort ? times[next++] : std::vector<double>{}));
         printQuality(table, rows.back());
@@ -210,7 +210,7 @@ std::optional<Json> qualityRace(const BenchOptions& options)
             if (choice.ownSystem && !isTooLarge(contest, choice))
                 contest.own.emplace(&choice, networkCalled(name, choice.at(1).solver));
         contest.reference = referencePath(contest.network, options.references);
-        const std::vector<Finding> findings = findAllEfforts(contest, options, curve);
+        const std::vector<FoundEffort> findings = findAllEfforts(contest, options, curve);
         if (interrupted())
             return std::nullopt;
         timeFindings(contest, findings, options, table, rows);

@@ -31,6 +31,7 @@ constexpr double leftByIterations =
 constexpr double longSwing = 2.0;     // steps within a radian of it, squared
 constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
+constexpr double shareOfWeight = 0.1; // that pulls are compared with where they are less
 
 } // namespace
 
@@ -96,6 +97,25 @@ void DirectSolver::soften(const System& system, double h)
                            : std::clamp(unseen / (h * h), leastSoftness * bar.weight,
                                         greatestSoftness * bar.weight);
     }
+    m_leastPulls = pullsThatMatter(system);
+}
+
+// The stiffest element under a tenth of all weight. What hangs, or is held by the air, pulls more
+// than that in each of its rows. What falls freely has next to no pulls, of which no error would
+// ever be a small enough share; and light scraps that fold as they fall would take all of the time.
+double DirectSolver::pullsThatMatter(const System& system) const
+{
+    double softness = std::numeric_limits<double>::max();
+    for (const Bar& bar : m_bars)
+        if (bar.isElastic)
+            softness = std::min(softness, bar.softness);
+    for (const ElasticPanel& panel : m_panels.panels())
+        softness = std::min(softness, m_panels.softness(system, panel, m_h));
+    if (softness == std::numeric_limits<double>::max())
+        return 0.0;
+    const double mass = std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
+    const double pull = shareOfWeight * mass * system.gravity.norm() * m_h * m_h; // kg m
+    return softness * pull * pull;
 }
 
 void DirectSolver::start(const RodTask& task, std::span<const double> multiplier, ThreadPool& pool)
@@ -156,7 +176,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         moveAlongGuides();
         const Arrival arrival = arrive(system, pool);
         near = arrival.worst < tolerance
-               && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(m_pulls);
+               && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(pulls());
         double share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
             go(share *= 0.5, system, pool);
@@ -165,9 +185,9 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     }
 
     m_residual = 0.0;
-    if (m_pulls > 0.0) {
+    if (pulls() > 0.0) {
         const double left = m_left / scaleOfErrors();
-        m_residual = std::sqrt(left * left + m_tripleErrors / m_pulls);
+        m_residual = std::sqrt(left * left + m_tripleErrors / pulls());
     }
     keepCenters();
     pool.parallelFor(nodes(), [&](std::size_t first, std::size_t last) {
@@ -298,7 +318,7 @@ bool DirectSolver::iterate(const System& system, ThreadPool& pool)
 // For the share of a swing that a step is, loads move particles by less than pulls give way.
 double DirectSolver::scaleOfErrors() const
 {
-    return std::sqrt(std::clamp(longSwing * m_loads, leastOfPulls * m_pulls, m_pulls));
+    return std::sqrt(std::clamp(longSwing * m_loads, leastOfPulls * pulls(), pulls()));
 }
 
 // Measures rods, panels and bends with their ends where they are now.

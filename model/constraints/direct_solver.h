@@ -82,6 +82,10 @@ public:
     // What the last project() has left unsolved, as an error of the pulls, 1: that of iterations,
     // and what pulls of panels differ by from their law.
     double residual() const { return m_residual; }
+
+    // J, twice the energy that errors are compared with at least: they matter by a tenth of the
+    // weight where pulls are less.
+    double leastEnergy() const { return m_h > 0.0 ? m_leastPulls / (m_h * m_h) : 0.0; }
     bool isEmpty() const { return m_bars.empty() && m_panels.empty() && m_bends.empty(); }
 
     // Whether a line or a strut met its load in the last project(): one that resists one way only
@@ -130,6 +134,8 @@ private:
     bool solveForMoves(const System& system, ThreadPool& pool);
     bool iterate(const System& system, ThreadPool& pool);
     double scaleOfErrors() const; // sqrt(kg) m
+    double pullsThatMatter(const System& system) const;
+    double pulls() const { return std::max(m_pulls, m_leastPulls); } // kg m^2
     double energyOfWay(std::size_t node) const;
     template <typename Visit> // visit(triple)
     void forEachTriple(Visit visit) const
@@ -157,13 +163,14 @@ private:
     void moveAlongGuides();
     void moveAlongGuide(std::size_t row, Row& move) const;
 
-    std::vector<int> m_rods;  // as given to prepare()
-    double m_h = 0.0;         // s, for which softness is right
-    double m_accuracy = 0.01; // 1, System::accuracy
-    double m_pulls = 0.0;     // kg m^2, the sum of energyOfPull()
-    double m_loads = 0.0;     // kg m^2, twice the energy of what loads would move in the substep
-    double m_left = 0.0;      // sqrt(kg) m, the root of the energy of what iterations have left
-    double m_residual = 0.0;  // 1
+    std::vector<int> m_rods;   // as given to prepare()
+    double m_h = 0.0;          // s, for which softness is right
+    double m_accuracy = 0.01;  // 1, System::accuracy
+    double m_pulls = 0.0;      // kg m^2, the sum of energyOfPull()
+    double m_leastPulls = 0.0; // kg m^2, what errors are compared with where pulls are less
+    double m_loads = 0.0;      // kg m^2, twice the energy of what loads would move in the substep
+    double m_left = 0.0;       // sqrt(kg) m, the root of the energy of what iterations have left
+    double m_residual = 0.0;   // 1
     bool m_hasGrid = false;
     bool m_hasFactor = true;
     bool m_iterates = false; // now

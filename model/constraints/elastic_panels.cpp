@@ -258,4 +258,11 @@ ElasticPanels::Account ElasticPanels::account(const System& system) const
     return account;
 }
 
+double ElasticPanels::softness(const System& system, const ElasticPanel& panel, double h) const
+{
+    const ClothLaw& law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
+    const double stiffness = std::max(law.warp, law.weft); // N/m
+    return stiffness > 0.0 ? 1.0 / (stiffness * h * h) : 0.0;
+}
+
 } // namespace ripstop

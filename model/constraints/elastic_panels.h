@@ -82,6 +82,10 @@ public:
     };
     Account account(const System& system) const;
 
+    // How a panel gives way to a force in the plane, along its stiffer threads, over the square of
+    // a substep `h`; 1/kg, 0 for one that has no stiffness.
+    double softness(const System& system, const ElasticPanel& panel, double h) const;
+
 private:
     std::vector<ElasticPanel> m_panels;
 };

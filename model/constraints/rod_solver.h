@@ -59,6 +59,9 @@ public:
     // What the global solve of the last substep has left unsolved, as an error of its pulls, 1.
     double residual() const { return m_direct.isEmpty() ? 0.0 : m_direct.residual(); }
 
+    // J, twice the energy that errors of pulls are compared with at least (direct_solver.h).
+    double leastEnergy() const { return m_direct.isEmpty() ? 0.0 : m_direct.leastEnergy(); }
+
     // Whether a line that is solved directly met its load in the last substep (direct_solver.h).
     bool hasImpact() const { return m_direct.hasImpact(); }
 

@@ -78,7 +78,8 @@ int StepAccuracy::worstRod(const System& system) const
 }
 
 StepAccuracy accuracyOf(const System& system, const State& state,
-                        std::span<const double> restLength, ThreadPool& pool, double reach)
+                        std::span<const double> restLength, ThreadPool& pool, double reach,
+                        double leastEnergy)
 {
     Sums all;
     inOrderedParts(
@@ -88,7 +89,7 @@ StepAccuracy accuracyOf(const System& system, const State& state,
         },
         [&](const Sums& part) { all.add(part); });
     if (all.whole > 0.0)
-        all.worst.pulls = std::sqrt(all.off / all.whole);
+        all.worst.pulls = std::sqrt(all.off / std::max(all.whole, leastEnergy));
     return all.worst;
 }
 

@@ -6,7 +6,8 @@
 //
 //   - Rods with a compliance c: the error is the root of sum c (law - given)^2 / sum c given^2, the
 //     energy of what is off over that of the pulls. Pulls that strain a rod by less than 1e-5 do
-//     not count.
+//     not count; and where all of them are less than a tenth of the weight, as in what falls
+//     freely, errors are compared with that (DirectSolver::leastEnergy()).
 //   - Rods without one have no law but their length: their strain stands for the error, against the
 //     strain that is wanted.
 //
@@ -37,8 +38,10 @@ struct StepAccuracy
 // Rods between pins, which no solver can help, do not count.
 //   restLength  [rods]  m, with damping (constraints/rod_damping.h)
 //   reach       s, of the last substep; infinite where damping counts for nothing
+//   leastEnergy J, twice the energy of pulls that errors are compared with at least
 StepAccuracy accuracyOf(const System& system, const State& state,
                         std::span<const double> restLength, ThreadPool& pool,
-                        double reach = std::numeric_limits<double>::infinity());
+                        double reach = std::numeric_limits<double>::infinity(),
+                        double leastEnergy = 0.0);
 
 } // namespace ripstop

@@ -82,7 +82,7 @@ int Stepper::step(const System& system, State& state)
     m_rods.takeTensions(rodTask(system, state, h), m_pool, state.rodTension);
     m_clock.lap(StepStage::Tensions);
     ++state.step;
-    m_accuracy = accuracyOf(system, state, m_heldLength, m_pool, m_reach);
+    m_accuracy = accuracyOf(system, state, m_heldLength, m_pool, m_reach, m_rods.leastEnergy());
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)

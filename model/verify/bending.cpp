@@ -22,7 +22,7 @@ namespace {
 
 constexpr double length = 0.2; // m, of what bends
 
-enum class Weave { Alternating, OneWay, Equilateral };
+enum class BentWeave { Alternating, OneWay, Equilateral };
 
 // Fabric along x from 0 to `length`, `across` cells wide, and one column of cells before it that is
 // pinned; with `bothEnds` one behind it as well.
@@ -30,7 +30,7 @@ struct BentStrip
 {
     int along = 20; // cells
     int across = 2;
-    Weave weave = Weave::Alternating;
+    BentWeave weave = BentWeave::Alternating;
     double stiffness = 0.2; // N m, B
     double density = 0.2;   // kg/m^2
     bool bothEnds = false;
@@ -39,7 +39,7 @@ struct BentStrip
     double cell() const { return length / along; }
     double depth() const
     {
-        return cell() * (weave == Weave::Equilateral ? std::sqrt(4.0 / 3.0) : 1.0);
+        return cell() * (weave == BentWeave::Equilateral ? std::sqrt(4.0 / 3.0) : 1.0);
     }
     double width() const { return across * depth(); }
     int at(int i, int j) const { return (i + 1) * (across + 1) + j; }
@@ -49,9 +49,9 @@ void addCell(const BentStrip& strip, int i, int j, System& system)
 {
     const int a = strip.at(i, j), b = strip.at(i + 1, j);
     const int c = strip.at(i, j + 1), d = strip.at(i + 1, j + 1);
-    const bool rising = strip.weave == Weave::Alternating   ? (i + j) % 2 == 0
-                        : strip.weave == Weave::Equilateral ? i % 2 != 0
-                                                            : true;
+    const bool rising = strip.weave == BentWeave::Alternating   ? (i + j) % 2 == 0
+                        : strip.weave == BentWeave::Equilateral ? i % 2 != 0
+                                                                : true;
     const MaterialAir air = airOf(AirLaw::None, 0.0);
     addPanel(system, a, b, rising ? d : c, air);
     addPanel(system, rising ? a : b, d, c, air);
@@ -67,7 +67,7 @@ System strung(const BentStrip& strip)
     const int last = strip.bothEnds ? strip.along + 1 : strip.along;
     for (int i = -1; i <= last; ++i)
         for (int j = 0; j <= strip.across; ++j) {
-            const double shift = strip.weave == Weave::Equilateral && i % 2 != 0 ? 0.5 : 0.0;
+            const double shift = strip.weave == BentWeave::Equilateral && i % 2 != 0 ? 0.5 : 0.0;
             const Vec3 place(i * strip.cell(), 0.0, (j + shift) * strip.depth());
             const bool held = i <= 0 || (strip.bothEnds && i >= strip.along);
             held ? addPin(system, place, 0.0) : addParticle(system, place, 1.0);
@@ -315,12 +315,12 @@ void addStrips(Stepping stepping, std::vector<Case>& cases)
     row("strip droops by its weight, all diagonals one way", tip, relative(0.02), "w L^4 / (8 B)",
         droopByWeight, [](BentStrip& strip) {
             strip.across = 3;
-            strip.weave = Weave::OneWay;
+            strip.weave = BentWeave::OneWay;
         });
     row("strip droops by its weight, equilateral cells", tip, relative(0.03), "w L^4 / (8 B)",
         droopByWeight, [](BentStrip& strip) {
             strip.across = 6;
-            strip.weave = Weave::Equilateral;
+            strip.weave = BentWeave::Equilateral;
         });
     row("strip clamped at both ends", weight * std::pow(length, 4) / (384.0 * usual.stiffness),
         relative(0.025), "w L^4 / (384 B)", droopByWeight,
@@ -334,7 +334,7 @@ void addStrips(Stepping stepping, std::vector<Case>& cases)
     row("Peirce: slope of that strip with equilateral cells", 41.4873, within(0.5),
         "heavy elastica; Peirce 1930: 41.5", peirceAngle, [](BentStrip& strip) {
             strip.across = 12;
-            strip.weave = Weave::Equilateral;
+            strip.weave = BentWeave::Equilateral;
         });
 }
 

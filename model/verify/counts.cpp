@@ -31,7 +31,7 @@ void addLatticeCounts(std::vector<Case>& cases)
     }
 }
 
-struct Design
+struct BuiltDesign
 {
     const char* id;
     const char* title;
@@ -41,7 +41,7 @@ struct Design
     const char* source;
 };
 
-const Part* partOf(const Scene& scene)
+const Part* onlyPart(const Scene& scene)
 {
     const Part* found = nullptr;
     forEachPart(scene, [&](Id, const Part& part) { found = &part; });
@@ -54,7 +54,7 @@ void addDesignCounts(std::vector<Case>& cases)
     const char* kite = "Beaudry, Egli, Patenaude 2005, 7.3";
     const char* canopy = "V 1 + 6 S, E 17 S, T 11 S; lines 3 S + 1, 4 S; hoop 2, 2 S";
     const Parameters ideal{{"cloth", 0}}; // as the papers have it
-    const Design designs[] = {
+    const BuiltDesign designs[] = {
         {"1.4", "hang glider", "hang_glider", ideal, 49, 198, 64, glider},
         {"1.4",
          "hang glider of figure 12",
@@ -115,10 +115,10 @@ void addDesignCounts(std::vector<Case>& cases)
          24,
          "(c+1)(r+1); structural 31, shear 24, bend 22; 2 c r"},
     };
-    for (const Design& design : designs) {
+    for (const BuiltDesign& design : designs) {
         const auto part = shared([name = design.builder, given = design.given] {
             const Result<Scene> scene = build(*findBuilder(name), given);
-            const Part* found = scene ? partOf(*scene) : nullptr;
+            const Part* found = scene ? onlyPart(*scene) : nullptr;
             return found ? *found : Part{};
         });
         const auto row = [&](const char* what, int expected, std::function<double()> measure) {

@@ -242,13 +242,13 @@ Glider gliderInTrim()
     return glider;
 }
 
-struct Canopy
+struct HungCanopy
 {
     double rate = 0.0; // m/s
     double drag = 0.0; // 1, air force over weight
 };
 
-Canopy canopyInTrim() // means from 15 to 20 s
+HungCanopy canopyInTrim() // means from 15 to 20 s
 {
     Simulation simulation = flying("parachute");
     const System& system = simulation.system();

@@ -21,9 +21,9 @@ using Ties = std::optional<Solver>;
 const std::array<Ties, 4> allTies{Ties(), Ties(Solver::AveragedJacobi), Ties(Solver::GaussSeidel),
                                   Ties(Solver::Direct)};
 
-std::string nameOf(const Ties& ties)
+std::string nameOfTies(const Ties& ties)
 {
-    return ties ? "rods, " + ripstop::nameOf(*ties) : std::string("springs");
+    return ties ? "rods, " + ripstop::nameOfTies(*ties) : std::string("springs");
 }
 
 // A patch of 5 x 5 particles, 0.1 m apart and a little bent, with fabric on it, in a light wind:
@@ -160,7 +160,8 @@ void addFrames(std::vector<Case>& cases)
         for (const Ties& ties : allTies)
             cases.push_back({frame.id,
                              std::string("cloth in wind, ") + frame.title
-                                 + ", gap after 1 s (bdf2 0.5 s), all integrators, " + nameOf(ties),
+                                 + ", gap after 1 s (bdf2 0.5 s), all integrators, "
+                                 + nameOfTies(ties),
                              0.0, within(frame.tolerance), "m", "invariance",
                              [&frame, ties] { return gapOf(frame, ties); }});
 }
@@ -268,7 +269,7 @@ void addFree(std::vector<Case>& cases)
 {
     for (const Ties& ties : allTies) {
         const auto change = shared([=] { return kept(ties); });
-        const std::string by = ", cloth in vacuum for 1 s, " + nameOf(ties);
+        const std::string by = ", cloth in vacuum for 1 s, " + nameOfTies(ties);
         cases.push_back({"T-C2", "change of momentum" + by, 0.0, within(1e-12), "kg m/s",
                          "no force from outside", [=] { return change().momentum; }});
         cases.push_back({"T-C2", "centre of mass off its way" + by, 0.0, within(1e-12), "m",

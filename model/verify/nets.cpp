@@ -17,10 +17,10 @@ namespace ripstop {
 namespace {
 
 // Members between knots, each of as many rods as one asks for.
-class Net
+class CableNet
 {
 public:
-    Net(SolvedBy by, double slowest, double axial, int rods)
+    CableNet(SolvedBy by, double slowest, double axial, int rods)
         : m_scene(emptyScene(by, slowest))
         , m_cord(addCord(m_scene, axial))
         , m_axial(axial)
@@ -91,12 +91,12 @@ struct Aside
 // 1 mm of Dyneema over 10 m with 50 N in it, and 100 N at its middle.
 Aside drawnAside(int rods, SolvedBy by)
 {
-    Net net(by, 4.0, 43197.0, rods);
+    CableNet net(by, 4.0, 43197.0, rods);
     const Id left = net.anchor({-5.0, 0.0, 0.0}), right = net.anchor({5.0, 0.0, 0.0});
     const Id middle = net.knot(Vec3::Zero(), 100.0);
     const std::size_t member = net.member(left, middle, 50.0);
     net.member(middle, right, 50.0);
-    const Net::Loaded loaded = net.loaded();
+    const CableNet::Loaded loaded = net.loaded();
     return {-loaded.place(middle).y(), loaded.tension[member]};
 }
 
@@ -110,7 +110,7 @@ struct Saafan
 Saafan saafan(int rods, SolvedBy by)
 {
     constexpr double bay = 30.48, load = 35586.0;
-    Net net(by, 4.0, 146.45e-6 * 82737e6, rods);
+    CableNet net(by, 4.0, 146.45e-6 * 82737e6, rods);
     std::array<std::array<Id, 2>, 2> knot;
     for (const std::size_t i : {0, 1})
         for (const std::size_t j : {0, 1})
@@ -126,7 +126,7 @@ Saafan saafan(int rods, SolvedBy by)
         inner = net.member(knot[i][0], knot[i][1], 24283.0);
         net.member(knot[0][i], knot[1][i], 24283.0);
     }
-    const Net::Loaded loaded = net.loaded();
+    const CableNet::Loaded loaded = net.loaded();
     const Vec3 place = loaded.place(knot[1][1]);
     return {0.5 * (place.x() + place.z()) - 0.5 * bay, -place.y(), loaded.tension[outer],
             loaded.tension[inner]};
@@ -141,7 +141,7 @@ struct Flat
 // Three by three cables 0.5 m apart in a square of 2 m, with 100 N in them and 10 N at each knot.
 Flat flatNet(int rods, SolvedBy by)
 {
-    Net net(by, 8.0, 43197.0, rods);
+    CableNet net(by, 8.0, 43197.0, rods);
     std::array<std::array<Id, 5>, 5> node{};
     for (int i = 0; i < 5; ++i)
         for (int j = 0; j < 5; ++j) {
@@ -156,7 +156,7 @@ Flat flatNet(int rods, SolvedBy by)
             net.member(node[row][bay], node[row][bay + 1], 100.0);
             net.member(node[bay][row], node[bay + 1][row], 100.0);
         }
-    const Net::Loaded loaded = net.loaded();
+    const CableNet::Loaded loaded = net.loaded();
     const auto [least, most] = std::ranges::minmax(loaded.tension);
     return {-loaded.place(node[1][1]).y(), -loaded.place(node[1][2]).y(),
             -loaded.place(node[2][2]).y(), least, most};

@@ -1,0 +1,110 @@
+#include "study/flight.h"
+
+#include "base/hash_text.h"
+#include "compile/compile.h"
+#include "measure/diagnostics.h"
+#include "run/end_check.h"
+#include "run/tear_report.h"
+#include "simulation/simulation.h"
+#include "study/probe_names.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+// What the measures read, by the places of their probes in the layout.
+class Readers
+{
+public:
+    Readers(const std::vector<Measure>& measures, const std::vector<Layout::Probe>& probes)
+    {
+        const std::vector<std::string> names = distinctNames(probes);
+        for (const Measure& measure : measures) {
+            const auto found = std::ranges::find(names, measure.probe);
+            m_place.push_back(std::size_t(found - names.begin()));
+            m_reader.emplace_back(measure);
+        }
+    }
+
+    void take(const Simulation& simulation, double timeStep)
+    {
+        if (m_reader.empty())
+            return;
+        const ProbeSample sample = simulation.sample();
+        for (std::size_t i = 0; i < m_reader.size(); ++i)
+            if (m_place[i] < sample.probe.size())
+                m_reader[i].take(sample.time, sample.probe[m_place[i]], timeStep);
+    }
+
+    std::vector<double> results() const
+    {
+        std::vector<double> all;
+        for (const MeasureReader& reader : m_reader)
+            all.push_back(reader.result());
+        return all;
+    }
+
+private:
+    std::vector<std::size_t> m_place;
+    std::vector<MeasureReader> m_reader;
+};
+
+} // namespace
+
+std::optional<Flight> fly(const Scene& scene, const ControlTrack& controls, const FlightPlan& plan)
+{
+    Flight flight;
+    flight.measured.assign(plan.measures.size(), std::numeric_limits<double>::quiet_NaN());
+    const auto system = compile(scene);
+    if (!system) {
+        flight.stopped = system.message().english();
+        return flight;
+    }
+    Simulation simulation(*system, plan.threads);
+    ControlPlayer player(controls);
+    const double timeStep = (*system)->timeStep;
+    Readers readers(plan.measures, simulation.sample().layout->probes);
+    readers.take(simulation, timeStep);
+    while (!hasReached(simulation.state().time, plan.seconds, timeStep)) {
+        if (plan.isInterrupted())
+            return std::nullopt;
+        player.giveTo(simulation);
+        if (!simulation.step()) {
+            flight.stopped = simulation.trouble()->message.english();
+            break;
+        }
+        readers.take(simulation, timeStep);
+        if (plan.untilTear && !simulation.state().tears.empty())
+            break;
+    }
+    flight.time = simulation.state().time;
+    flight.steps = simulation.state().step;
+    flight.hash = hashText(stateHash(simulation.state()));
+    const auto frame = simulation.frame();
+    flight.torn = tornElements(*frame);
+    if (!frame->tears.empty()) {
+        flight.firstTear = frame->tears.front().time;
+        flight.firstTearLoad = frame->tears.front().force;
+        flight.firstTorn = frame->tears.front().element;
+    }
+    if (flight.stopped.empty())
+        for (const Message& one : absurdities(simulation))
+            flight.absurd += (flight.absurd.empty() ? "" : " ") + one.english();
+    flight.measured = readers.results();
+    return flight;
+}
+
+Result<std::vector<Layout::Probe>> probesOf(const Scene& scene)
+{
+    const auto system = compile(scene);
+    if (!system)
+        return system.failure();
+    std::vector<Layout::Probe> probes = Simulation(*system).sample().layout->probes;
+    const std::vector<std::string> names = distinctNames(probes);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        probes[i].name = names[i];
+    return probes;
+}
+
+} // namespace ripstop

@@ -1,0 +1,247 @@
+// of() counts the points and makes what they need of it; values() is a case for each kind of plan.
+// Shares are between 0 and 1 and hit neither, since quantiles of a normal distribution do not end
+// there.
+#include "study/plan.h"
+
+#include "base/split_mix.h"
+#include "io/csv.h"
+#include "io/whole_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+using Kind = StudyPlan::Kind;
+
+constexpr double mostOfPlan = 1e8; // points
+
+std::string shortestText(double number)
+{
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+// A number for each point and variable, all of them as good as independent.
+std::uint64_t bitsOf(std::uint64_t seed, std::uint64_t point, std::uint64_t variable)
+{
+    return splitMix(splitMix(splitMix(seed) ^ point) + variable);
+}
+
+double shareOf(std::uint64_t bits) // in the middle of 2^52 cells
+{
+    return (double(bits >> 12) + 0.5) / 4503599627370496.0;
+}
+
+// The numbers below `count` in random order (Fisher and Yates 1938).
+std::vector<std::uint32_t> shuffled(std::size_t count, std::uint64_t seed, std::uint64_t variable)
+{
+    std::vector<std::uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0u);
+    for (std::size_t i = count; i > 1; --i)
+        std::swap(order[i - 1], order[bitsOf(seed ^ 0x5bf0'3635, i, variable) % i]);
+    return order;
+}
+
+std::vector<std::string_view> cellsOf(std::string_view line)
+{
+    std::vector<std::string_view> cells;
+    bool isQuoted = false;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        if (i < line.size() && line[i] == '"')
+            isQuoted = !isQuoted;
+        if (i == line.size() || (line[i] == ',' && !isQuoted)) {
+            cells.push_back(cellContent(line.substr(begin, i - begin)));
+            begin = i + 1;
+        }
+    }
+    return cells;
+}
+
+std::vector<std::string_view> linesOf(std::string_view text) // without comments and empty ones
+{
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (!line.empty() && line.back() == '\r')
+            line.remove_suffix(1);
+        if (!line.empty() && line.front() != '#')
+            lines.push_back(line);
+    }
+    return lines;
+}
+
+// The rows of a file with a column for each variable, others are left out.
+Result<std::vector<std::vector<std::string>>> readPoints(const Study& study)
+{
+    const std::filesystem::path file = study.folder / study.plan.file;
+    const auto text =
+        readWholeFile(file, [](std::string_view) { return std::optional<Message>(); });
+    if (!text)
+        return text.failure();
+    const std::vector<std::string_view> lines = linesOf(*text);
+    if (lines.empty())
+        return Failure("%1 has no points; its first line names the variables.", file.string());
+    const std::vector<std::string_view> heading = cellsOf(lines.front());
+    std::vector<std::size_t> column;
+    for (const StudyVariable& variable : study.variables) {
+        const auto found = std::ranges::find(heading, variable.name);
+        if (found == heading.end())
+            return Failure("%1 has no column that is called %2; its first line names the "
+                           "variables of the study.",
+                           file.string(), variable.name);
+        column.push_back(std::size_t(found - heading.begin()));
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        const std::vector<std::string_view> cells = cellsOf(lines[i]);
+        std::vector<std::string>& row = rows.emplace_back();
+        for (std::size_t k = 0; k < column.size(); ++k) {
+            if (column[k] >= cells.size() || cells[column[k]].empty())
+                return Failure("%1: row %2 has no value for %3.", file.string(), i,
+                               study.variables[k].name);
+            row.emplace_back(cells[column[k]]);
+        }
+    }
+    return rows;
+}
+
+double countOf(const Study& study)
+{
+    double count = 1.0;
+    for (const StudyVariable& variable : study.variables) {
+        if (study.plan.kind == Kind::Grid)
+            count *= double(variable.values.size());
+        else if (study.plan.kind == Kind::OneAtATime)
+            count += double(variable.values.size()) - 1.0;
+    }
+    const bool isOfValues =
+        study.plan.kind == Kind::Grid || study.plan.kind == Kind::OneAtATime;
+    return isOfValues ? count : double(study.plan.count);
+}
+
+} // namespace
+
+Result<StudyPoints> StudyPoints::of(const Study& study)
+{
+    StudyPoints points;
+    points.m_study = study;
+    const double count = countOf(study);
+    if (count > mostOfPlan)
+        return Failure("The plan has %1 points; a study has up to %2.",
+                       Message::number("%.4g", count), Message::number("%.4g", mostOfPlan));
+    points.m_count = std::size_t(count);
+    if (study.plan.kind == Kind::Points) {
+        auto rows = readPoints(study);
+        if (!rows)
+            return rows.failure();
+        points.m_rows = std::move(*rows);
+        points.m_count = points.m_rows.size();
+    }
+    if (study.plan.kind == Kind::Sobol && study.variables.size() > sobolDimensions)
+        return Failure("A plan of Sobol' has up to %1 variables, and this study %2; take "
+                       "latin_hypercube.",
+                       sobolDimensions, study.variables.size());
+    if (study.plan.kind == Kind::LatinHypercube)
+        for (std::size_t v = 0; v < study.variables.size(); ++v)
+            points.m_strata.push_back(shuffled(points.m_count, study.plan.seed, v));
+    return points;
+}
+
+double StudyPoints::share(std::size_t point, std::size_t variable) const
+{
+    const std::uint64_t bits = bitsOf(m_study.plan.seed, point, variable);
+    switch (m_study.plan.kind) {
+    case Kind::LatinHypercube:
+        return (double(m_strata[variable][point]) + shareOf(bits)) / double(m_count);
+    case Kind::Sobol: {
+        const std::uint64_t shift = bitsOf(m_study.plan.seed ^ 0x50b0'1234, 0, variable) >> 32;
+        const std::uint32_t place = sobolPoint(point, variable) ^ std::uint32_t(shift);
+        return (double(place) + 0.5) / 4294967296.0;
+    }
+    default:
+        return shareOf(bits);
+    }
+}
+
+std::string StudyPoints::drawn(std::size_t variable, double share) const
+{
+    const StudyVariable& one = m_study.variables[variable];
+    if (one.spread)
+        return shortestText(quantile(*one.spread, share));
+    const std::size_t count = one.values.size();
+    return one.values[std::min(std::size_t(share * double(count)), count - 1)];
+}
+
+std::vector<std::string> StudyPoints::values(std::size_t point) const
+{
+    if (m_study.plan.kind == Kind::Points)
+        return m_rows[point];
+    const std::vector<StudyVariable>& variables = m_study.variables;
+    std::vector<std::string> all(variables.size());
+    if (m_study.plan.kind == Kind::Grid) { // the last variable changes fastest
+        for (std::size_t v = variables.size(); v-- > 0;) {
+            const std::vector<std::string>& values = variables[v].values;
+            all[v] = values[point % values.size()];
+            point /= values.size();
+        }
+        return all;
+    }
+    if (m_study.plan.kind == Kind::OneAtATime) {
+        std::size_t first = 1; // point of the variable's second value
+        for (std::size_t v = 0; v < variables.size(); ++v) {
+            const std::size_t others = variables[v].values.size() - 1;
+            const bool isIts = point >= first && point < first + others;
+            all[v] = variables[v].values[isIts ? point - first + 1 : 0];
+            first += others;
+        }
+        return all;
+    }
+    for (std::size_t v = 0; v < variables.size(); ++v)
+        all[v] = drawn(v, share(point, v));
+    return all;
+}
+
+// Gray code as of Antonov and Saleev 1979 would need the point before; this needs none.
+std::uint32_t sobolPoint(std::size_t point, std::size_t dimension)
+{
+    struct Direction // of a primitive polynomial of this degree
+    {
+        int degree;
+        std::uint32_t coefficients;
+        std::uint32_t start[5];
+    };
+    constexpr Direction directions[sobolDimensions - 1]{
+        {1, 0, {1}},          {2, 1, {1, 3}},          {3, 1, {1, 3, 1}},
+        {3, 2, {1, 1, 1}},    {4, 1, {1, 1, 3, 3}},    {4, 4, {1, 3, 5, 13}},
+        {5, 2, {1, 1, 5, 5, 17}}, {5, 4, {1, 1, 5, 5, 5}}, {5, 7, {1, 1, 7, 11, 19}}};
+    std::uint32_t value[32]; // direction numbers
+    for (int i = 0; i < 32; ++i) {
+        if (dimension == 0) {
+            value[i] = 1u << (31 - i);
+            continue;
+        }
+        const Direction& direction = directions[dimension - 1];
+        const int s = direction.degree;
+        if (i < s) {
+            value[i] = direction.start[i] << (31 - i);
+            continue;
+        }
+        value[i] = value[i - s] ^ (value[i - s] >> s);
+        for (int k = 1; k < s; ++k)
+            if ((direction.coefficients >> (s - 1 - k)) & 1u)
+                value[i] ^= value[i - k];
+    }
+    std::uint32_t place = 0;
+    for (int i = 0; i < 32 && (point >> i) != 0; ++i)
+        if ((point >> i) & 1u)
+            place ^= value[i];
+    return place;
+}
+
+} // namespace ripstop

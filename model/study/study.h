@@ -1,0 +1,74 @@
+// A study: one design flown many times with other values, and what is read of each flight.
+//
+// A study is a file, NAME.ripstop-study.json. It names a scene, the variables with the values that
+// they take, the plan that makes points of them (plan.h), how long each point is flown, and what is
+// measured (measure.h). What has been flown is kept beside it (ledger.h). Nothing in a study is
+// computed: it is what its author wrote.
+#pragma once
+
+#include "base/choice_names.h"
+#include "base/result.h"
+#include "study/distribution.h"
+#include "study/measure.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+// Several properties that get the same value are tied together: the stiffness of two sails.
+struct StudyVariable
+{
+    std::string name;                 // of its column, and in a file of points
+    std::vector<std::string> paths;   // of properties (scene/path.h), at least one
+    std::vector<std::string> values;  // that grids go through, as --set takes them
+    std::optional<Distribution> spread; // that other plans draw from; they draw from `values`
+                                        // without one, each alike
+};
+
+struct StudyPlan
+{
+    enum class Kind {
+        Grid,           // all combinations of the values
+        OneAtATime,     // the first value of each, then the others of each alone
+        LatinHypercube, // `count` points, each variable spread evenly (McKay and others 1979)
+        Sobol,          // the first `count` points of Sobol' (1967), shifted by the seed
+        MonteCarlo,     // `count` points at random
+        Points          // the rows of a file of somebody else's
+    };
+    Kind kind = Kind::Grid;
+    std::int64_t count = 0;
+    std::uint64_t seed = 1;
+    std::string file; // CSV with a column for each variable, beside the study
+};
+
+template <>
+inline constexpr std::array choiceNames<StudyPlan::Kind>{
+    "grid", "one_at_a_time", "latin_hypercube", "sobol", "monte_carlo", "points"};
+
+struct Study
+{
+    std::string title;
+    std::string scene;    // file, beside the study
+    std::string controls; // control track (io/control_track.h), or empty
+    std::vector<StudyVariable> variables;
+    StudyPlan plan;
+    double seconds = 0.0;      // s, of each flight
+    bool untilTear = false;    // a flight ends with its first tear
+    std::vector<Measure> measures; // empty: last, mean, least and largest value of each probe
+    std::filesystem::path folder;  // where the files are that it names
+};
+
+inline constexpr const char* studyEnding = ".ripstop-study.json";
+
+// Failures name the file and the field.
+Result<Study> readStudy(const std::filesystem::path& file);
+Result<Study> studyOf(const std::string& text); // a failure is half a sentence
+
+std::string studyText(const Study& study);
+
+} // namespace ripstop
