@@ -37,6 +37,7 @@ constexpr Other others[]{
     {"model/author/stability.cpp",       "step substeps",      "sorts of findings, and a word of a sentence"},
     {"model/select/condition.cpp",       "name",               "what stands for a name in an example"},
     {"model/materials/material_file.cpp", "kind name",          "fields of files of materials"},
+    {"model/study/",                     "*",                  "fields of studies and of their ledgers"},
     {"views/document/autosave.cpp",      "file title",         "the note beside unsaved work"},
     {"views/document/rescue.cpp",        "file title",         "the note beside unsaved work"},
     {"views/import/import_form.cpp",     "material name size", "names of widgets"},

@@ -17,6 +17,7 @@ void addBuilders(CLI::App& app, Command& chosen);
 void addImport(CLI::App& app, Command& chosen);
 void addRun(CLI::App& app, Command& chosen);
 void addSweep(CLI::App& app, Command& chosen);
+void addStudy(CLI::App& app, Command& chosen);
 void addCertify(CLI::App& app, Command& chosen);
 void addCompare(CLI::App& app, Command& chosen);
 void addExport(CLI::App& app, Command& chosen);

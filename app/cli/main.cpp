@@ -52,6 +52,7 @@ int call(int argc, char** argv)
     addImport(app, chosen);
     addRun(app, chosen);
     addSweep(app, chosen);
+    addStudy(app, chosen);
     addCertify(app, chosen);
     addCompare(app, chosen);
     addExport(app, chosen);

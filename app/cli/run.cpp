@@ -7,7 +7,6 @@
 #include "bundle/bundle.h"
 #include "cli/commands.h"
 #include "cli/event_list.h"
-#include "cli/probe_names.h"
 #include "cli/replay.h"
 #include "cli/run_report.h"
 #include "cli/scene_input.h"
@@ -25,6 +24,7 @@
 #include "run/settle.h"
 #include "simulation/simulation.h"
 #include "step/step_times.h"
+#include "study/probe_names.h"
 #include "terminal/terminal.h"
 
 #include <charconv>

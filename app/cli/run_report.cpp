@@ -3,11 +3,11 @@
 
 #include "base/hash_text.h"
 #include "check/strength_gaps.h"
-#include "cli/probe_names.h"
 #include "measure/diagnostics.h"
 #include "run/end_check.h"
 #include "run/has_margins.h"
 #include "run/tear_report.h"
+#include "study/probe_names.h"
 
 #include <algorithm>
 #include <cmath>

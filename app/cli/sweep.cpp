@@ -1,36 +1,28 @@
 // ripstop-cli sweep: one table of many runs.
 //
-// In order: one run, with what each probe read; the table, whose columns are the axes and the
-// probes of all scenes; and many runs, as many at a time as there are jobs, each on one place of
-// the list of orders. The file is replaced by a whole one at most once a second, so that a sweep
+// In order: one run (study/flight.h); the table, whose columns are the axes and the probes of all
+// scenes; and many runs, as many at a time as there are jobs, each on one place of the list of
+// orders. The file is replaced by a whole one at most once a second, so that a sweep
 // that is interrupted leaves all runs that were done. prepare() refuses what it can before the
 // first run.
-#include "base/hash_text.h"
 #include "cli/commands.h"
-#include "cli/probe_names.h"
+#include "cli/many.h"
 #include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
 #include "cli/targets.h"
-#include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
-#include "measure/diagnostics.h"
-#include "run/end_check.h"
-#include "run/tear_report.h"
 #include "scene/path.h"
-#include "simulation/simulation.h"
+#include "study/flight.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <mutex>
-#include <thread>
 
 namespace ripstop {
 namespace {
@@ -57,39 +49,6 @@ struct Order
     std::vector<std::string> values;
 };
 
-// What a probe read over a run, moments without a reading left out.
-struct Reading
-{
-    double last = std::numeric_limits<double>::quiet_NaN();
-    double sum = 0.0;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    std::int64_t count = 0;
-
-    void take(double value, bool counts)
-    {
-        last = value;
-        if (!counts || !std::isfinite(value))
-            return;
-        sum += value;
-        least = std::min(least, value);
-        most = std::max(most, value);
-        ++count;
-    }
-};
-
-struct Row
-{
-    double time = 0.0; // s
-    std::int64_t steps = 0;
-    std::string hash;
-    std::size_t torn = 0;
-    std::string stopped;               // why it ended early; empty when it did not
-    std::string absurd;                // what its end cannot be; empty when it can
-    std::vector<Layout::Probe> probes; // [probes]
-    std::vector<Reading> readings;     // [probes]
-};
-
 struct Sweep
 {
     const SweepOptions& options;
@@ -100,61 +59,26 @@ struct Sweep
 };
 
 // Flies one run of the sweep. Returns nothing when it was interrupted.
-std::optional<Row> fly(const Sweep& sweep, const Order& order)
+std::optional<FlightResult> flyOrder(const Sweep& sweep, const Order& order)
 {
-    Row row;
     Scene scene = sweep.scenes[order.scene];
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
         if (auto failure = assign(scene, {sweep.axes[i].path + "=" + order.values[i]})) {
-            row.stopped = failure->message.english();
-            return row;
+            FlightResult none;
+            none.stopped = failure->message.english();
+            return none;
         }
-    const auto system = compile(scene);
-    if (!system) {
-        row.stopped = system.message().english();
-        return row;
-    }
-    scene = Scene(); // nobody reads it again
-    Simulation simulation(*system, sweep.options.threads);
-    ControlPlayer controls(sweep.controls[order.scene]);
-    const double timeStep = (*system)->timeStep;
-    row.probes = simulation.sample().layout->probes;
-    const std::vector<std::string> names = distinctNames(row.probes);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        row.probes[i].name = names[i]; // each has columns of its own
-    row.readings.resize(row.probes.size());
-    const auto read = [&] {
-        if (row.probes.empty())
-            return;
-        const ProbeSample sample = simulation.sample();
-        const bool counts = hasReached(sample.time, sweep.options.from, timeStep);
-        for (std::size_t i = 0; i < row.readings.size(); ++i)
-            row.readings[i].take(sample.probe[i], counts);
-    };
-    read();
-    while (!hasReached(simulation.state().time, sweep.options.seconds, timeStep)) {
-        if (interrupted())
-            return std::nullopt;
-        controls.giveTo(simulation);
-        if (!simulation.step()) {
-            row.stopped = simulation.trouble()->message.english();
-            break;
-        }
-        read();
-    }
-    row.time = simulation.state().time;
-    row.steps = simulation.state().step;
-    row.hash = hashText(stateHash(simulation.state()));
-    row.torn = tornElements(*simulation.frame());
-    if (row.stopped.empty())
-        for (const Message& one : absurdities(simulation))
-            row.absurd += (row.absurd.empty() ? "" : " ") + one.english();
-    return row;
+    FlightPlan plan;
+    plan.seconds = sweep.options.seconds;
+    plan.from = sweep.options.from;
+    plan.threads = sweep.options.threads;
+    plan.isInterrupted = interrupted;
+    return fly(scene, sweep.controls[order.scene], plan);
 }
 
 // --- the table -----------------------------------------------------------------------------------
 
-using Rows = std::vector<std::optional<Row>>; // [orders], those that are done
+using Rows = std::vector<std::optional<FlightResult>>; // [orders], those that are done
 
 // Probes are compared by name and unit, so that those of several scenes which are called alike
 // share their columns.
@@ -194,14 +118,7 @@ std::string header(const Sweep& sweep, const std::vector<Layout::Probe>& probes)
     return text + '\n';
 }
 
-void appendCell(std::string& text, double value)
-{
-    text += ',';
-    if (std::isfinite(value))
-        appendNumber(text, value);
-}
-
-std::string line(const Sweep& sweep, const Order& order, const Row& row,
+std::string line(const Sweep& sweep, const Order& order, const FlightResult& row,
                  const std::vector<Layout::Probe>& probes)
 {
     std::string text = csvCell(sweep.options.scenes[order.scene]);
@@ -217,11 +134,10 @@ std::string line(const Sweep& sweep, const Order& order, const Row& row,
             text += ",,,,";
             continue;
         }
-        const Reading& reading = row.readings[std::size_t(found - row.probes.begin())];
-        appendCell(text, reading.last);
-        appendCell(text, reading.sum / double(reading.count)); // without any, not a number
-        appendCell(text, reading.least);
-        appendCell(text, reading.most);
+        const auto first =
+            std::size_t(found - row.probes.begin()) * 4; // as usualMeasures() has them
+        for (std::size_t i = first; i < first + 4; ++i)
+            appendCell(text, i < row.measured.size() ? row.measured[i] : std::nan(""));
     }
     return text + '\n';
 }
@@ -252,12 +168,8 @@ public:
 
     std::optional<Failure> run()
     {
-        std::vector<std::thread> others;
-        for (int i = 1; i < m_sweep.options.jobs; ++i)
-            others.emplace_back([this] { work(); });
-        work();
-        for (std::thread& other : others)
-            other.join();
+        forEachOfMany(m_rows.size(), m_sweep.options.jobs,
+                      [this](std::size_t i) { return work(i); });
         if (!m_failure && m_done > 0)
             save();
         return m_failure;
@@ -266,20 +178,18 @@ public:
     const Rows& rows() const { return m_rows; }
 
 private:
-    void work()
+    bool work(std::size_t i) // whether to go on
     {
-        for (std::size_t i = m_next++; i < m_rows.size() && !m_ends; i = m_next++) {
-            auto row = fly(m_sweep, m_sweep.orders[i]);
-            const std::lock_guard lock(m_mutex);
-            if (!row)
-                return;
-            m_rows[i] = std::move(row);
-            m_progress.show(double(++m_done) / double(m_rows.size()));
-            const bool isOld = Clock::now() - m_saved > std::chrono::seconds(1);
-            if (isOld && !isDevice(m_sweep.options.output)) // a pipe takes it once
-                save();
-            m_ends = m_ends || m_failure;
-        }
+        auto row = flyOrder(m_sweep, m_sweep.orders[i]);
+        const std::lock_guard lock(m_mutex);
+        if (!row)
+            return false;
+        m_rows[i] = std::move(row);
+        m_progress.show(double(++m_done) / double(m_rows.size()));
+        const bool isOld = Clock::now() - m_saved > std::chrono::seconds(1);
+        if (isOld && !isDevice(m_sweep.options.output)) // a pipe takes it once
+            save();
+        return !m_failure;
     }
 
     void save()
@@ -299,8 +209,6 @@ private:
     Clock::time_point m_saved = Clock::now();
     std::optional<Failure> m_failure;
     std::mutex m_mutex;
-    std::atomic<std::size_t> m_next = 0;
-    std::atomic<bool> m_ends = false;
 };
 
 // Refuses what can be refused before the first run. Returns the exit code.

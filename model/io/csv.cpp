@@ -35,6 +35,13 @@ std::string csvCell(const std::string& text, char separator)
     return quoted;
 }
 
+void appendCell(std::string& row, double value)
+{
+    row += ',';
+    if (std::isfinite(value))
+        appendNumber(row, value);
+}
+
 std::string withUnit(const std::string& name, const std::string& unit)
 {
     return unit.empty() ? name : name + " (" + unit + ")";
@@ -77,16 +84,11 @@ std::string csvRow(const Frame& frame, const Certificate* certificate)
 {
     std::string row;
     appendNumber(row, frame.time);
-    const auto add = [&](double value) {
-        row += ',';
-        if (std::isfinite(value))
-            appendNumber(row, value);
-    };
     for (const double value : frame.probe)
-        add(value);
+        appendCell(row, value);
     if (certificate)
         for (const Layout::Probe& probe : frame.layout->probes)
-            add(certificate->errorAt(probe.name, frame.time));
+            appendCell(row, certificate->errorAt(probe.name, frame.time));
     return row + '\n';
 }
 

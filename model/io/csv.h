@@ -21,6 +21,9 @@ std::string csvCell(const std::string& text, char separator = ',');
 
 std::string withUnit(const std::string& name, const std::string& unit); // "height (m)"
 
+// A comma and the number after it; one that is not finite leaves the cell empty.
+void appendCell(std::string& row, double value);
+
 // What a cell holds, without blanks and quotation marks around it.
 std::string_view cellContent(std::string_view cell);
 

@@ -24,9 +24,9 @@ double normalQuantile(double share)
     constexpr double middleA[]{2509.0809287301226727, 33430.575583588128105, 67265.770927008700853,
                                45921.953931549871457, 13731.693765509461125, 1971.5909503065514427,
                                133.14166789178437745, 3.387132872796366608};
-    constexpr double middleB[]{5226.495278852854561,  28729.085735721942674, 39307.89580009271061,
-                               21213.794301586595867, 5394.1960214247511077, 687.1870074920579083,
-                               42.313330701600911252, 1.0};
+    constexpr double middleB[]{
+        5226.495278852854561,  28729.085735721942674, 39307.89580009271061,  21213.794301586595867,
+        5394.1960214247511077, 687.1870074920579083,  42.313330701600911252, 1.0};
     constexpr double nearA[]{7.7454501427834140764e-4, 0.0227238449892691845833,
                              0.24178072517745061177,   1.27045825245236838258,
                              3.64784832476320460504,   5.7694972214606914055,
@@ -49,9 +49,8 @@ double normalQuantile(double share)
         return off * polynomial(middleA, r) / polynomial(middleB, r);
     }
     const double tail = std::sqrt(-portableLog(off < 0.0 ? share : 1.0 - share));
-    const double value = tail <= 5.0
-                             ? polynomial(nearA, tail - 1.6) / polynomial(nearB, tail - 1.6)
-                             : polynomial(farA, tail - 5.0) / polynomial(farB, tail - 5.0);
+    const double value = tail <= 5.0 ? polynomial(nearA, tail - 1.6) / polynomial(nearB, tail - 1.6)
+                                     : polynomial(farA, tail - 5.0) / polynomial(farB, tail - 5.0);
     return off < 0.0 ? -value : value;
 }
 

@@ -1,3 +1,4 @@
+// fly() makes steps and lets the measures read after each; Readers finds their probes once.
 #include "study/flight.h"
 
 #include "base/hash_text.h"
@@ -17,12 +18,12 @@ namespace {
 class Readers
 {
 public:
+    //   probes  with distinct names
     Readers(const std::vector<Measure>& measures, const std::vector<Layout::Probe>& probes)
     {
-        const std::vector<std::string> names = distinctNames(probes);
         for (const Measure& measure : measures) {
-            const auto found = std::ranges::find(names, measure.probe);
-            m_place.push_back(std::size_t(found - names.begin()));
+            const auto found = std::ranges::find(probes, measure.probe, &Layout::Probe::name);
+            m_place.push_back(std::size_t(found - probes.begin()));
             m_reader.emplace_back(measure);
         }
     }
@@ -50,11 +51,21 @@ private:
     std::vector<MeasureReader> m_reader;
 };
 
+std::vector<Layout::Probe> namedProbes(const Simulation& simulation)
+{
+    std::vector<Layout::Probe> probes = simulation.sample().layout->probes;
+    const std::vector<std::string> names = distinctNames(probes);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        probes[i].name = names[i];
+    return probes;
+}
+
 } // namespace
 
-std::optional<Flight> fly(const Scene& scene, const ControlTrack& controls, const FlightPlan& plan)
+std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls,
+                                const FlightPlan& plan)
 {
-    Flight flight;
+    FlightResult flight;
     flight.measured.assign(plan.measures.size(), std::numeric_limits<double>::quiet_NaN());
     const auto system = compile(scene);
     if (!system) {
@@ -64,7 +75,9 @@ std::optional<Flight> fly(const Scene& scene, const ControlTrack& controls, cons
     Simulation simulation(*system, plan.threads);
     ControlPlayer player(controls);
     const double timeStep = (*system)->timeStep;
-    Readers readers(plan.measures, simulation.sample().layout->probes);
+    flight.probes = namedProbes(simulation);
+    Readers readers(plan.measures.empty() ? usualMeasures(flight.probes, plan.from) : plan.measures,
+                    flight.probes);
     readers.take(simulation, timeStep);
     while (!hasReached(simulation.state().time, plan.seconds, timeStep)) {
         if (plan.isInterrupted())
@@ -100,11 +113,7 @@ Result<std::vector<Layout::Probe>> probesOf(const Scene& scene)
     const auto system = compile(scene);
     if (!system)
         return system.failure();
-    std::vector<Layout::Probe> probes = Simulation(*system).sample().layout->probes;
-    const std::vector<std::string> names = distinctNames(probes);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        probes[i].name = names[i];
-    return probes;
+    return namedProbes(Simulation(*system));
 }
 
 } // namespace ripstop

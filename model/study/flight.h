@@ -18,12 +18,13 @@ struct FlightPlan
 {
     double seconds = 0.0; // s
     bool untilTear = false;
-    std::vector<Measure> measures;
+    std::vector<Measure> measures; // empty: the usual ones of each probe (usualMeasures())
+    double from = 0.0;             // s, of the usual ones
     int threads = 1;
     std::function<bool()> isInterrupted = [] { return false; }; // asked between steps
 };
 
-struct Flight
+struct FlightResult
 {
     double time = 0.0; // s, at the end
     std::int64_t steps = 0;
@@ -31,15 +32,17 @@ struct Flight
     std::size_t torn = 0;
     double firstTear = std::numeric_limits<double>::quiet_NaN();     // s
     double firstTearLoad = std::numeric_limits<double>::quiet_NaN(); // N, N/m or N m (frame.h)
-    std::uint32_t firstTorn = 0;  // id of the element
-    std::string stopped;          // why it ended early, or cannot begin; empty when it did not
-    std::string absurd;           // what its end cannot be; empty when it can
-    std::vector<double> measured; // [measures] not a number where nothing counted
+    std::uint32_t firstTorn = 0;                                     // id of the element
+    std::string stopped;               // why it ended early, or cannot begin; empty when it did not
+    std::string absurd;                // what its end cannot be; empty when it can
+    std::vector<double> measured;      // [measures] not a number where nothing counted
+    std::vector<Layout::Probe> probes; // with names that tell them apart
 };
 
 // Flies it. What cannot be compiled or diverges is a flight that says so; nothing comes back when
 // it was interrupted.
-std::optional<Flight> fly(const Scene& scene, const ControlTrack& controls, const FlightPlan& plan);
+std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls,
+                                const FlightPlan& plan);
 
 // The probes of a scene, with names that tell them apart, and their units.
 Result<std::vector<Layout::Probe>> probesOf(const Scene& scene);

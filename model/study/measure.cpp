@@ -1,3 +1,5 @@
+// MeasureReader keeps what every reduction needs as the values come, and all of them for a
+// percentile only.
 #include "study/measure.h"
 
 #include "simulation/reached.h"
@@ -74,9 +76,9 @@ std::vector<Measure> usualMeasures(const std::vector<Layout::Probe>& probes, dou
 // long flight loses no digits.
 void MeasureReader::take(double time, double value, double timeStep)
 {
-    const bool isIn = hasReached(time, m_measure.from, timeStep)
-                      && (!std::isfinite(m_measure.to)
-                          || !hasReached(time, m_measure.to + timeStep, timeStep));
+    const bool isIn =
+        hasReached(time, m_measure.from, timeStep)
+        && (!std::isfinite(m_measure.to) || !hasReached(time, m_measure.to + timeStep, timeStep));
     if (!isIn)
         return;
     m_last = value;

@@ -24,16 +24,15 @@ enum class Reduction {
 };
 
 template <>
-inline constexpr std::array choiceNames<Reduction>{"final", "mean",        "min",
-                                                   "max",   "rms",         "percentile",
-                                                   "slope", "time_of_min", "time_of_max"};
+inline constexpr std::array choiceNames<Reduction>{
+    "final", "mean", "min", "max", "rms", "percentile", "slope", "time_of_min", "time_of_max"};
 
 struct Measure
 {
     std::string probe; // its name
     Reduction reduction = Reduction::Last;
-    double percent = 95.0; // of Percentile
-    double from = 0.0;     // s, values from here
+    double percent = 95.0;                               // of Percentile
+    double from = 0.0;                                   // s, values from here
     double to = std::numeric_limits<double>::infinity(); // s, to here count
 };
 
@@ -65,9 +64,9 @@ private:
     double m_sum = 0.0;
     double m_squares = 0.0;
     double m_count = 0.0;
-    double m_meanTime = 0.0;  // s
-    double m_spread = 0.0;    // s^2, sum of the squares of times about their mean
-    double m_common = 0.0;    // s, sum of times about their mean with values
+    double m_meanTime = 0.0;   // s
+    double m_spread = 0.0;     // s^2, sum of the squares of times about their mean
+    double m_common = 0.0;     // s, sum of times about their mean with values
     std::vector<double> m_all; // of a percentile
 };
 

@@ -120,8 +120,7 @@ double countOf(const Study& study)
         else if (study.plan.kind == Kind::OneAtATime)
             count += double(variable.values.size()) - 1.0;
     }
-    const bool isOfValues =
-        study.plan.kind == Kind::Grid || study.plan.kind == Kind::OneAtATime;
+    const bool isOfValues = study.plan.kind == Kind::Grid || study.plan.kind == Kind::OneAtATime;
     return isOfValues ? count : double(study.plan.count);
 }
 
@@ -216,10 +215,15 @@ std::uint32_t sobolPoint(std::size_t point, std::size_t dimension)
         std::uint32_t coefficients;
         std::uint32_t start[5];
     };
-    constexpr Direction directions[sobolDimensions - 1]{
-        {1, 0, {1}},          {2, 1, {1, 3}},          {3, 1, {1, 3, 1}},
-        {3, 2, {1, 1, 1}},    {4, 1, {1, 1, 3, 3}},    {4, 4, {1, 3, 5, 13}},
-        {5, 2, {1, 1, 5, 5, 17}}, {5, 4, {1, 1, 5, 5, 5}}, {5, 7, {1, 1, 7, 11, 19}}};
+    constexpr Direction directions[sobolDimensions - 1]{{1, 0, {1}},
+                                                        {2, 1, {1, 3}},
+                                                        {3, 1, {1, 3, 1}},
+                                                        {3, 2, {1, 1, 1}},
+                                                        {4, 1, {1, 1, 3, 3}},
+                                                        {4, 4, {1, 3, 5, 13}},
+                                                        {5, 2, {1, 1, 5, 5, 17}},
+                                                        {5, 4, {1, 1, 5, 5, 5}},
+                                                        {5, 7, {1, 1, 7, 11, 19}}};
     std::uint32_t value[32]; // direction numbers
     for (int i = 0; i < 32; ++i) {
         if (dimension == 0) {

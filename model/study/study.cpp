@@ -10,6 +10,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 namespace ripstop {
@@ -26,6 +27,14 @@ std::string shortest(double number)
 {
     char text[32];
     return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+// 10000 for the middle of a range from 1000 to 100000 that is logarithmic.
+std::string rounded(double number)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.12g", number);
+    return text;
 }
 
 // The fields of an object, and the first thing that is wrong with them.
@@ -102,14 +111,15 @@ public:
             visit((*field)[i], where(key) + '[' + std::to_string(i) + ']');
     }
 
-    // After all that is read has been read.
+    // After all that is read has been read. It is said before that a field is missing, which it may
+    // have been meant to be.
     void refuseOthers()
     {
         if (m_object.is_object())
             for (const auto& field : m_object.items())
                 if (!m_read.contains(field.key()))
-                    say(Message("has %1, which means nothing to this version",
-                                where(field.key())));
+                    m_failure =
+                        Failure("has %1, which means nothing to this version", where(field.key()));
     }
 
     std::string where(const std::string& key) const
@@ -175,7 +185,7 @@ void readRange(Fields& fields, StudyVariable& variable)
         const double value = i == 0           ? from
                              : i == count - 1 ? to
                                               : quantile(*variable.spread, share);
-        variable.values.push_back(shortest(value));
+        variable.values.push_back(rounded(value));
     }
 }
 
@@ -199,11 +209,11 @@ void readDistribution(Fields& fields, StudyVariable& variable)
         fields.say(Message("has %1 = \"%2\"; it is one of %3", fields.where("distribution"), name,
                            "uniform, normal, log_normal, triangular"));
     const bool hasEnds = spread.kind == Kind::Uniform || spread.kind == Kind::Triangular;
-    const bool isInside = spread.kind != Kind::Triangular
-                          || (spread.c >= spread.a && spread.c <= spread.b);
+    const bool isInside =
+        spread.kind != Kind::Triangular || (spread.c >= spread.a && spread.c <= spread.b);
     if (hasEnds && !(spread.a < spread.b && isInside))
-        fields.say(Message("has %1, whose low, mode and high do not rise",
-                           fields.where("distribution")));
+        fields.say(
+            Message("has %1, whose low, mode and high do not rise", fields.where("distribution")));
     variable.spread = spread;
 }
 
@@ -272,8 +282,8 @@ Measure readMeasure(const Json& json, const std::string& place, std::optional<Fa
 // A grid needs values, and what draws needs something to draw from.
 void checkVariables(const Study& study, std::optional<Failure>& failure)
 {
-    const bool isOfValues = study.plan.kind == StudyPlan::Kind::Grid
-                            || study.plan.kind == StudyPlan::Kind::OneAtATime;
+    const bool isOfValues =
+        study.plan.kind == StudyPlan::Kind::Grid || study.plan.kind == StudyPlan::Kind::OneAtATime;
     std::set<std::string> names;
     for (const StudyVariable& variable : study.variables) {
         if (failure)

@@ -23,9 +23,9 @@ namespace ripstop {
 // Several properties that get the same value are tied together: the stiffness of two sails.
 struct StudyVariable
 {
-    std::string name;                 // of its column, and in a file of points
-    std::vector<std::string> paths;   // of properties (scene/path.h), at least one
-    std::vector<std::string> values;  // that grids go through, as --set takes them
+    std::string name;                   // of its column, and in a file of points
+    std::vector<std::string> paths;     // of properties (scene/path.h), at least one
+    std::vector<std::string> values;    // that grids go through, as --set takes them
     std::optional<Distribution> spread; // that other plans draw from; they draw from `values`
                                         // without one, each alike
 };
@@ -57,8 +57,8 @@ struct Study
     std::string controls; // control track (io/control_track.h), or empty
     std::vector<StudyVariable> variables;
     StudyPlan plan;
-    double seconds = 0.0;      // s, of each flight
-    bool untilTear = false;    // a flight ends with its first tear
+    double seconds = 0.0;          // s, of each flight
+    bool untilTear = false;        // a flight ends with its first tear
     std::vector<Measure> measures; // empty: last, mean, least and largest value of each probe
     std::filesystem::path folder;  // where the files are that it names
 };

@@ -1,4 +1,4 @@
-#include "cli/probe_names.h"
+#include "study/probe_names.h"
 
 #include <algorithm>
 #include <set>

@@ -1,0 +1,94 @@
+// openStudy() reads study, scene, points and controls in this order, then looks at what the study
+// measures and at what it sets before it makes the keys of its flights.
+#include "cli/opened_study.h"
+
+#include "io/scene_file.h"
+#include "scene/path.h"
+#include "terminal/terminal.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names of the measures with their units, and the measures where the study names none.
+std::optional<Failure> nameMeasures(OpenedStudy& opened, const std::string& file)
+{
+    const auto probes = probesOf(opened.scene);
+    if (!probes)
+        return Failure("%1: %2", opened.sceneFile.string(), probes.message());
+    if (opened.plan.measures.empty())
+        opened.plan.measures = usualMeasures(*probes);
+    for (const Measure& measure : opened.plan.measures) {
+        const auto probe = std::ranges::find(*probes, measure.probe, &Layout::Probe::name);
+        if (probe == probes->end()) {
+            std::string all;
+            for (const Layout::Probe& one : *probes)
+                all += (all.empty() ? "" : ", ") + one.name;
+            return Failure("%1 measures the probe %2, and the scene has: %3.", file, measure.probe,
+                           all.empty() ? "none" : all);
+        }
+        opened.headings.push_back(headingOf(measure, probe->unit));
+    }
+    return std::nullopt;
+}
+
+// Whether what the plan sets can be set: each value of each variable, or those of the first point
+// where values are drawn.
+std::optional<Failure> checkAssignments(const OpenedStudy& opened, const std::string& file)
+{
+    std::vector<std::string> all;
+    for (const StudyVariable& variable : opened.study.variables)
+        for (const std::string& path : variable.paths)
+            for (const std::string& value : variable.values)
+                all.push_back(path + '=' + value);
+    if (opened.points.count() > 0)
+        for (std::string& one : opened.assignments(0))
+            all.push_back(std::move(one));
+    for (const std::string& one : all)
+        if (const auto edit = assignment(opened.scene, one); !edit)
+            return Failure("%1: %2: %3", file, one, edit.message());
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<OpenedStudy> openStudy(const std::string& file)
+{
+    auto study = readStudy(file);
+    if (!study)
+        return study.failure();
+    const fs::path sceneFile = study->folder / study->scene;
+    auto scene = readScene(sceneFile);
+    if (!scene)
+        return scene.failure();
+    auto points = StudyPoints::of(*study);
+    if (!points)
+        return Failure("%1: %2", file, points.message());
+    OpenedStudy opened{
+        std::move(*study), std::move(*scene), {}, std::move(*points), {}, {}, {}, sceneFile, {}};
+    if (!opened.study.controls.empty()) {
+        opened.controlsFile = opened.study.folder / opened.study.controls;
+        auto track = readControlTrack(opened.controlsFile, opened.scene);
+        if (!track)
+            return track.failure();
+        opened.controls = std::move(*track);
+    }
+    opened.plan.seconds = opened.study.seconds;
+    opened.plan.untilTear = opened.study.untilTear;
+    opened.plan.measures = opened.study.measures;
+    opened.plan.isInterrupted = interrupted;
+    if (auto failure = nameMeasures(opened, file))
+        return *failure;
+    if (auto failure = checkAssignments(opened, file))
+        return *failure;
+    auto keys = FlightKeys::of(opened.scene, opened.controlsFile, opened.plan);
+    if (!keys)
+        return keys.failure();
+    opened.keys = std::move(*keys);
+    return opened;
+}
+
+} // namespace ripstop

@@ -1,0 +1,47 @@
+// A study with all that its flights need, made once: what the commands of `study` share.
+#pragma once
+
+#include "base/result.h"
+#include "io/control_track.h"
+#include "scene/scene.h"
+#include "study/flight.h"
+#include "study/ledger.h"
+#include "study/plan.h"
+#include "study/study.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+struct OpenedStudy
+{
+    Study study;
+    Scene scene;
+    ControlTrack controls;
+    StudyPoints points;
+    FlightPlan plan;
+    FlightKeys keys;
+    std::vector<std::string> headings; // [measures]
+    std::filesystem::path sceneFile;
+    std::filesystem::path controlsFile; // or empty
+
+    std::vector<std::string> assignments(std::size_t point) const
+    {
+        std::vector<std::string> all;
+        const std::vector<std::string> values = points.values(point);
+        for (std::size_t v = 0; v < values.size(); ++v)
+            for (const std::string& path : study.variables[v].paths)
+                all.push_back(path + '=' + values[v]);
+        return all;
+    }
+
+    std::string key(std::size_t point) const { return keys.of(assignments(point)); }
+};
+
+// Refuses with a sentence what cannot be: files that cannot be read, properties, values and probes
+// that are not there. Nothing is flown.
+Result<OpenedStudy> openStudy(const std::string& file);
+
+} // namespace ripstop

@@ -1,0 +1,435 @@
+// ripstop-cli study: new, run, status, merge and slurm.
+//
+// run flies the points of its shard that no ledger has; merge and status look up the rows of all
+// points. A point that diverges is a row that says so, and never the end.
+#include "cli/commands.h"
+#include "cli/many.h"
+#include "cli/opened_study.h"
+#include "cli/scene_input.h"
+#include "cli/sweep_axes.h"
+#include "cli/targets.h"
+#include "io/csv.h"
+#include "io/json_text.h"
+#include "io/scene_file.h"
+#include "io/whole_file.h"
+#include "scene/path.h"
+#include "study/ledger.h"
+#include "terminal/terminal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+#include <set>
+#include <thread>
+
+namespace ripstop {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Shard // the points i with i % count == place
+{
+    std::size_t place = 0;
+    std::size_t count = 1;
+};
+
+// --- run ----------------------------------------------------------------------------------------
+
+std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point)
+{
+    Scene scene = opened.scene;
+    if (const auto failure = assign(scene, opened.assignments(point))) {
+        FlightResult none;
+        none.measured.assign(opened.plan.measures.size(), std::nan(""));
+        none.stopped = failure->message.english();
+        return none;
+    }
+    return fly(scene, opened.controls, opened.plan);
+}
+
+std::string pointsText(std::size_t some, std::size_t all)
+{
+    return std::to_string(some) + " of " + std::to_string(all) + " points";
+}
+
+// The points of the shard that no ledger has; points that are alike are flown once.
+std::vector<std::size_t> missing(const OpenedStudy& opened, const LedgerRows& rows,
+                                 const Shard& shard)
+{
+    std::vector<std::size_t> points;
+    std::set<std::string> keys;
+    for (std::size_t i = shard.place; i < opened.points.count(); i += shard.count) {
+        std::string key = opened.key(i);
+        if (!rows.contains(key) && keys.insert(std::move(key)).second)
+            points.push_back(i);
+    }
+    return points;
+}
+
+std::string shardName(const Shard& shard)
+{
+    return "shard-" + std::to_string(shard.place + 1) + "-of-" + std::to_string(shard.count);
+}
+
+int runStudy(const std::string& file, const std::string& shardText, int jobs)
+{
+    Shard shard;
+    if (!shardText.empty()) {
+        char rest = 0;
+        unsigned long place = 0, count = 0;
+        if (std::sscanf(shardText.c_str(), "%lu/%lu%c", &place, &count, &rest) != 2 || place < 1
+            || place > count)
+            return fail(WrongUsage,
+                        "--shard " + shardText + ": write K/N, like 3/8 for the third of eight.");
+        shard = {place - 1, count};
+    }
+    const auto opened = openStudy(file);
+    if (!opened)
+        return fail(BadInput, opened.message());
+    const fs::path folder = ledgerFolder(file);
+    const auto known = readLedgers(folder);
+    if (!known)
+        return fail(BadInput, known.message());
+    const std::vector<std::size_t> points = missing(*opened, known->rows, shard);
+    if (points.empty()) {
+        std::cerr << "All points are flown already.\n";
+        return Done;
+    }
+    auto ledger = Ledger::open(folder, shardName(shard), opened->headings);
+    if (!ledger)
+        return fail(BadInput, ledger.message());
+
+    std::optional<Failure> failure;
+    std::mutex mutex;
+    std::size_t done = 0, stopped = 0, torn = 0;
+    ProgressLine progress("study");
+    forEachOfMany(points.size(), jobs, [&](std::size_t i) {
+        const auto flight = flyPoint(*opened, points[i]);
+        const std::lock_guard lock(mutex);
+        if (!flight || failure)
+            return false;
+        failure = ledger->add(opened->key(points[i]), *flight);
+        if (failure)
+            return false;
+        stopped += !flight->stopped.empty() || !flight->absurd.empty();
+        torn += flight->torn > 0;
+        progress.show(double(++done) / double(points.size()));
+        return true;
+    });
+    if (failure)
+        return fail(BadInput, failure->message);
+    if (done < points.size())
+        return fail(Interrupted, "Interrupted; " + pointsText(done, points.size())
+                                     + " of this run are flown and kept. Run it again to go on.");
+    std::cerr << "Flown: " << done << "; something tore in " << torn << ", " << stopped
+              << " ended early.\n";
+    return Done;
+}
+
+// --- status and merge
+// -----------------------------------------------------------------------------
+
+int status(const std::string& file, bool json)
+{
+    const auto opened = openStudy(file);
+    if (!opened)
+        return fail(BadInput, opened.message());
+    const auto known = readLedgers(ledgerFolder(file));
+    if (!known)
+        return fail(BadInput, known.message());
+    std::size_t flown = 0, torn = 0, stopped = 0;
+    for (std::size_t i = 0; i < opened->points.count(); ++i)
+        if (const auto row = known->rows.find(opened->key(i)); row != known->rows.end()) {
+            ++flown;
+            torn += row->second.torn > 0;
+            stopped += !row->second.stopped.empty() || !row->second.absurd.empty();
+        }
+    const std::size_t all = opened->points.count();
+    if (json) {
+        print({{"points", all},
+               {"flown", flown},
+               {"missing", all - flown},
+               {"torn", torn},
+               {"stopped", stopped},
+               {"tornLines", known->torn},
+               {"differing", known->differing}});
+        return Done;
+    }
+    std::cout << "points                  " << all << "\nflown                   " << flown
+              << "\nmissing                 " << all - flown << "\nsomething tore in       " << torn
+              << "\nended early             " << stopped << '\n';
+    if (known->torn > 0)
+        std::cout << "lines left out          " << known->torn << ", which a killed run tore\n";
+    if (known->differing > 0)
+        std::cout << "flown twice, unlike     " << known->differing << '\n';
+    return Done;
+}
+
+std::string studyHeader(const OpenedStudy& opened)
+{
+    std::string text = "# Ripstop " RIPSTOP_VERSION "; " + opened.study.scene + "; each until ";
+    appendNumber(text, opened.plan.seconds);
+    text += opened.plan.untilTear ? " s or its first tear\npoint" : " s\npoint";
+    for (const StudyVariable& variable : opened.study.variables)
+        text += ',' + csvCell(variable.name);
+    text += ",time (s),steps,hash,torn links,first tear (s),first tear load,first torn,stopped";
+    for (const std::string& heading : opened.headings)
+        text += ',' + csvCell(heading);
+    return text + '\n';
+}
+
+std::string studyLine(const OpenedStudy& opened, std::size_t point, const FlightResult& flight)
+{
+    std::string text = std::to_string(point);
+    for (const std::string& value : opened.points.values(point))
+        text += ',' + csvCell(value);
+    appendCell(text, flight.time);
+    text +=
+        ',' + std::to_string(flight.steps) + ',' + flight.hash + ',' + std::to_string(flight.torn);
+    appendCell(text, flight.firstTear);
+    appendCell(text, flight.firstTearLoad);
+    text += flight.torn > 0 ? ',' + std::to_string(flight.firstTorn) : ",";
+    text += ',' + csvCell(flight.stopped.empty() ? flight.absurd : flight.stopped);
+    for (std::size_t i = 0; i < opened.headings.size(); ++i)
+        appendCell(text, i < flight.measured.size() ? flight.measured[i] : std::nan(""));
+    return text + '\n';
+}
+
+int merge(const std::string& file, const std::string& output)
+{
+    const auto opened = openStudy(file);
+    if (!opened)
+        return fail(BadInput, opened.message());
+    FileNames inputs =
+        inputsOf(opened->scene, opened->sceneFile.string(), {file, opened->controlsFile.string()});
+    if (const int code = refuseTargets({output}, inputs); code != Done)
+        return code;
+    const auto known = readLedgers(ledgerFolder(file));
+    if (!known)
+        return fail(BadInput, known.message());
+    std::string table = studyHeader(*opened);
+    std::size_t flown = 0;
+    for (std::size_t i = 0; i < opened->points.count(); ++i)
+        if (const auto row = known->rows.find(opened->key(i)); row != known->rows.end()) {
+            table += studyLine(*opened, i, row->second);
+            ++flown;
+        }
+    if (output.empty())
+        std::cout << table;
+    else if (const auto failure = replaceFile(output, table))
+        return fail(BadInput, failure->message);
+    std::cerr << "The table has " << pointsText(flown, opened->points.count()) << ".\n";
+    return Done;
+}
+
+// --- new and slurm
+// --------------------------------------------------------------------------------
+
+struct NewOptions
+{
+    std::string file, scene, plan = "grid";
+    std::vector<std::string> vary; // "PATH+PATH=VALUES"
+    double seconds = 10.0;
+    std::int64_t count = 100;
+    std::uint64_t seed = 1;
+    bool untilTear = false;
+};
+
+// "a.x+b.x=1,2": several paths get the same value.
+Result<StudyVariable> variableOf(const std::string& text)
+{
+    const auto axis = sweepAxis(text);
+    if (!axis)
+        return axis.failure();
+    StudyVariable variable;
+    variable.values = axis->values;
+    for (std::size_t begin = 0; begin <= axis->path.size();) {
+        const std::size_t end = std::min(axis->path.find('+', begin), axis->path.size());
+        variable.paths.push_back(axis->path.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    variable.name = variable.paths.front();
+    return variable;
+}
+
+int newStudy(const NewOptions& options)
+{
+    Study study;
+    const fs::path folder = fs::absolute(options.file).parent_path();
+    study.scene = fs::proximate(fs::absolute(options.scene), folder).generic_string();
+    study.seconds = options.seconds;
+    study.untilTear = options.untilTear;
+    study.folder = folder;
+    const auto kind = std::ranges::find(choiceNames<StudyPlan::Kind>, options.plan);
+    study.plan.kind = StudyPlan::Kind(kind - choiceNames<StudyPlan::Kind>.begin());
+    const bool isOfValues =
+        study.plan.kind == StudyPlan::Kind::Grid || study.plan.kind == StudyPlan::Kind::OneAtATime;
+    if (!isOfValues) {
+        study.plan.count = options.count;
+        study.plan.seed = options.seed;
+    }
+    for (const std::string& text : options.vary) {
+        auto variable = variableOf(text);
+        if (!variable)
+            return fail(WrongUsage, variable.message());
+        study.variables.push_back(std::move(*variable));
+    }
+    if (const int code = refuseTargets({options.file}, {options.scene}); code != Done)
+        return code;
+    const std::string text = studyText(study);
+    if (const auto again = studyOf(text); !again) // what cannot be read is not written
+        return fail(WrongUsage, "The study " + again.message().english() + ".");
+    const auto scene = readScene(options.scene);
+    if (!scene)
+        return fail(BadInput, scene.message());
+    for (const StudyVariable& variable : study.variables)
+        for (const std::string& path : variable.paths)
+            for (const std::string& value : variable.values)
+                if (const auto edit = assignment(*scene, path + '=' + value); !edit)
+                    return fail(WrongUsage, edit.message());
+    if (const auto failure = replaceFile(options.file, text))
+        return fail(BadInput, failure->message);
+    return Done;
+}
+
+// A job array whose tasks fly a shard each. Slurm tells a task before its time is over; it ends in
+// order then, keeps what it has, and stands in the queue again.
+int slurm(const std::string& file, int tasks, const std::string& time)
+{
+    if (const auto opened = openStudy(file); !opened)
+        return fail(BadInput, opened.message());
+    const std::string study = fs::absolute(file).string();
+    const std::string folder = ledgerFolder(fs::absolute(file)).string();
+    const std::string program = fs::read_symlink("/proc/self/exe").string();
+    std::cout << "#!/bin/bash\n"
+                 "# Flies a study in shards: sbatch this file. When the array is done:\n"
+                 "#   ripstop-cli study merge '"
+              << study
+              << "' -o TABLE.csv\n"
+                 "#SBATCH --job-name=ripstop-study\n"
+                 "#SBATCH --array=1-"
+              << tasks << "\n#SBATCH --time=" << time
+              << "\n"
+                 "#SBATCH --cpus-per-task=1\n"
+                 "#SBATCH --requeue\n"
+                 "#SBATCH --signal=B:TERM@60\n"
+                 "#SBATCH --open-mode=append\n"
+                 "#SBATCH --output="
+              << folder
+              << "-%a.log\n"
+                 "trap 'kill -TERM $flight; late=1' TERM\n'"
+              << program << "' study run '" << study << "' --shard $SLURM_ARRAY_TASK_ID/" << tasks
+              << " --jobs ${SLURM_CPUS_PER_TASK:-1} &\n"
+                 "flight=$!\n"
+                 "wait $flight\n"
+                 "code=$?\n"
+                 "if [[ -n $late ]]; then\n"
+                 "    wait $flight\n"
+                 "    scontrol requeue ${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID\n"
+                 "fi\n"
+                 "exit $code\n";
+    return Done;
+}
+
+void addStudyFile(CLI::App& command, std::string& file)
+{
+    command.add_option("STUDY", file, "The study, *.ripstop-study.json")->required();
+}
+
+void addNew(CLI::App& study, Command& chosen)
+{
+    CLI::App* command = study.add_subcommand("new", "Write the file of a study.");
+    const auto options = std::make_shared<NewOptions>();
+    command->add_option("STUDY", options->file, "The file, *.ripstop-study.json")->required();
+    command->add_option("--scene", options->scene, "The scene that is flown")->required();
+    command
+        ->add_option("--vary", options->vary,
+                     "A property and its values, as of sweep; PATH+PATH=VALUES gives several the "
+                     "same value")
+        ->required()
+        ->type_name("PATH=VALUES")
+        ->allow_extra_args(false);
+    std::vector<std::string> kinds;
+    for (const auto& kind : choiceNames<StudyPlan::Kind>)
+        if (kind != choiceNames<StudyPlan::Kind>[std::size_t(StudyPlan::Kind::Points)])
+            kinds.emplace_back(kind);
+    command->add_option("--plan", options->plan, "How the points come from the values")
+        ->check(CLI::IsMember(kinds));
+    command->add_option("--count", options->count, "Points of a plan that draws them")
+        ->check(CLI::Range(std::int64_t(1), std::int64_t(100'000'000)));
+    command->add_option("--seed", options->seed, "Of what is drawn");
+    command->add_option("--seconds", options->seconds, "Simulated time of each flight, s")
+        ->check(numberBetween(0.0, 1e9))
+        ->type_name("T");
+    command->add_flag("--until-tear", options->untilTear, "End a flight with its first tear");
+    command->callback([options, &chosen] { chosen = [options] { return newStudy(*options); }; });
+}
+
+} // namespace
+
+void addStudy(CLI::App& app, Command& chosen)
+{
+    CLI::App* study = app.add_subcommand(
+        "study",
+        "Fly a design with many values, on all cores or a cluster; what is flown is kept.");
+    study->require_subcommand(1);
+    addNew(*study, chosen);
+
+    struct Options
+    {
+        std::string file, shard, output, time = "01:00:00";
+        int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
+        int tasks = 8;
+        bool json = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* run = study->add_subcommand("run", "Fly what is missing.");
+    addStudyFile(*run, options->file);
+    run->add_option("--jobs", options->jobs, "Flights at a time; all cores without")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    run->add_option("--shard", options->shard, "Only the K-th of N shares of the points")
+        ->type_name("K/N");
+    run->callback([options, &chosen] {
+        chosen = [options] { return runStudy(options->file, options->shard, options->jobs); };
+    });
+
+    CLI::App* told = study->add_subcommand("status", "Say how far it is.");
+    addStudyFile(*told, options->file);
+    told->add_flag("--json", options->json, "As a JSON object");
+    told->callback([options, &chosen] {
+        chosen = [options] { return status(options->file, options->json); };
+    });
+
+    CLI::App* merged = study->add_subcommand("merge", "Write one table of what all shards flew.");
+    addStudyFile(*merged, options->file);
+    merged->add_option("-o,--output", options->output, "The table, CSV; on standard output without")
+        ->type_name("FILE");
+    merged->callback([options, &chosen] {
+        chosen = [options] { return merge(options->file, options->output); };
+    });
+
+    CLI::App* array =
+        study->add_subcommand("slurm", "Print the script of a Slurm job array that flies it.");
+    addStudyFile(*array, options->file);
+    array->add_option("--tasks", options->tasks, "Shards")->check(CLI::Range(1, 100000));
+    array->add_option("--time", options->time, "Time limit of each task, as sbatch takes it");
+    array->callback([options, &chosen] {
+        chosen = [options] { return slurm(options->file, options->tasks, options->time); };
+    });
+
+    study->footer(
+        "A study that is run again flies only what is missing: points that were added, or "
+        "whose flights\nwere killed. Rows are kept beside the study in "
+        "NAME.ripstop-runs, a line each.\n\n"
+        "Example:\n"
+        "  ripstop-cli study new s.ripstop-study.json --scene scenes/delta_kite.ripstop.json "
+        "\\\n"
+        "      --vary settings.airDensity=1.0:0.1:1.3 --vary \"wind.velocity=6,0,0; 8,0,0\"\n"
+        "  ripstop-cli study run s.ripstop-study.json\n"
+        "  ripstop-cli study merge s.ripstop-study.json -o kite.csv");
+}
+
+} // namespace ripstop

@@ -1,0 +1,157 @@
+// ripstop-cli study, as people call it: shards, kills, longer studies, and what it refuses.
+#include "model/cli_call.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+// A study of the pendulum in a folder of its own.
+class Folder
+{
+public:
+    explicit Folder(const QString& values = "1:0.5:8", const QString& seconds = "2")
+    {
+        const Outcome made = call({"study", "new", study(), "--scene", scene("pendulum"), "--vary",
+                                   "settings.airDensity=" + values, "--vary",
+                                   "settings.substeps=4,8", "--seconds", seconds});
+        m_made = made.exitCode == 0;
+        m_why = made.error;
+    }
+
+    QString study() const { return m_folder.filePath("s.ripstop-study.json"); }
+    QString file(const char* name) const { return m_folder.filePath(name); }
+    bool made() const { return m_made; }
+    QString why() const { return m_why; }
+
+    Outcome run(const QStringList& more = {}) const
+    {
+        return call(QStringList{"study", "run", study()} + more);
+    }
+    QByteArray table() const { return call({"study", "merge", study()}).out; }
+    QJsonObject status() const { return call({"study", "status", study(), "--json"}).json(); }
+
+private:
+    QTemporaryDir m_folder;
+    bool m_made = false;
+    QString m_why;
+};
+
+} // namespace
+
+class TestStudyCommand : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        const Folder whole;
+        QVERIFY2(whole.made(), qPrintable(whole.why()));
+        QCOMPARE(whole.status()["points"].toInt(), 30);
+        const Outcome run = whole.run();
+        QVERIFY2(run.exitCode == 0, qPrintable(run.error));
+        m_table = whole.table();
+        QCOMPARE(m_table.count('\n'), 32); // a comment and a heading before them
+        QCOMPARE(whole.status()["missing"].toInt(), 0);
+    }
+
+    // Three shards, in any order, make the same table to the byte.
+    void shardsMakeTheSameTable()
+    {
+        const Folder parts;
+        for (const char* shard : {"3/3", "1/3", "2/3"})
+            QCOMPARE(parts.run({"--shard", shard, "--jobs", "1"}).exitCode, 0);
+        QCOMPARE(parts.table(), m_table);
+        QCOMPARE(QDir(parts.file("s.ripstop-runs")).entryList(QDir::Files).size(), 3);
+    }
+
+    // Killed again and again, it comes to the same table, and has flown none twice.
+    void killsLoseNothingButWhatWasUnderWay()
+    {
+        const Folder killed;
+        int kills = 0;
+        for (int wait = 20; killed.status()["missing"].toInt() > 0 && kills < 100; ++kills) {
+            QProcess process;
+            process.start(CLI_PROGRAM, {"study", "run", killed.study(), "--jobs", "2"});
+            QVERIFY(process.waitForStarted());
+            process.waitForFinished(wait);
+            if (process.state() != QProcess::NotRunning) {
+                process.kill();
+                process.waitForFinished();
+            }
+            wait += 10; // so that it comes to an end on a slow machine too
+        }
+        QVERIFY(kills > 1);
+        QCOMPARE(killed.table(), m_table);
+        QCOMPARE(killed.status()["differing"].toInt(), 0);
+    }
+
+    void longerStudiesKeepWhatTheyHave()
+    {
+        const Folder grown("1:0.5:7.5");
+        QVERIFY(grown.run().error.contains("Flown: 28"));
+        QFile file(grown.study());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray text = file.readAll().replace("\"7.5\"", "\"7.5\", \"8\"");
+        file.close();
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        QCOMPARE(grown.status()["missing"].toInt(), 2);
+        QVERIFY(grown.run().error.contains("Flown: 2"));
+        QCOMPARE(grown.table(), m_table);
+        QVERIFY(grown.run().error.contains("flown already"));
+    }
+
+    // A point that cannot be flown is a row with its reason.
+    void whatDivergesIsARow()
+    {
+        QTemporaryDir folder;
+        const QString study = folder.filePath("s.ripstop-study.json");
+        const Outcome made = call({"study", "new", study, "--scene", scene("delta_kite"), "--vary",
+                                   "wind.velocity=6,0,0; 1e6,0,0", "--seconds", "0.1"});
+        QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+        QCOMPARE(call({"study", "run", study}).exitCode, 0);
+        QCOMPARE(call({"study", "status", study, "--json"}).json()["stopped"].toInt(), 1);
+        QCOMPARE(call({"study", "merge", study}).out.count('\n'), 4);
+    }
+
+    void refusals()
+    {
+        const Folder folder;
+        const auto says = [&](const QStringList& arguments, const char* words) {
+            const Outcome outcome = call(arguments);
+            QVERIFY2(outcome.exitCode == 1 || outcome.exitCode == 2,
+                     qPrintable(QString::number(outcome.exitCode)));
+            QVERIFY2(outcome.error.contains(words), qPrintable(outcome.error));
+        };
+        says({"study", "run", folder.file("none.ripstop-study.json")}, "none.ripstop-study.json");
+        says({"study", "run", folder.study(), "--shard", "4/3"}, "K/N");
+        says({"study", "run", scene("pendulum")}, "is no study");
+        says({"study", "merge", folder.study(), "-o", folder.study()}, "would be destroyed");
+        says({"study", "new", folder.file("t.ripstop-study.json"), "--scene", scene("pendulum"),
+              "--vary", "settings.airDensty=1,2"},
+             "airDensity");
+        QVERIFY(!QFile::exists(folder.file("t.ripstop-study.json")));
+        QFile file(folder.study());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray text = file.readAll();
+        file.close();
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            QByteArray(text).replace("\"plan\"", "\"measures\": [{\"probe\": \"pul\"}],\"plan\""));
+        file.close();
+        says({"study", "run", folder.study()}, "measures the probe pul");
+    }
+
+private:
+    QByteArray m_table;
+};
+
+QTEST_GUILESS_MAIN(TestStudyCommand)
+#include "test_study_command.moc"
