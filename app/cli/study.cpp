@@ -319,14 +319,14 @@ int slurm(const std::string& file, int tasks, const std::string& time)
                  "#SBATCH --output="
               << folder
               << "-%a.log\n"
-                 "trap 'kill -TERM $flight; late=1' TERM\n'"
+                 "trap 'kill -TERM $flight' TERM\n'"
               << program << "' study run '" << study << "' --shard $SLURM_ARRAY_TASK_ID/" << tasks
               << " --jobs ${SLURM_CPUS_PER_TASK:-1} &\n"
                  "flight=$!\n"
-                 "wait $flight\n"
-                 "code=$?\n"
-                 "if [[ -n $late ]]; then\n"
-                 "    wait $flight\n"
+                 "wait $flight; code=$?\n"
+                 "while kill -0 $flight 2>/dev/null; do wait $flight; code=$?; done\n"
+                 "# ended by a signal: what is missing is flown later, or on another node\n"
+                 "if ((code > 128 && ${SLURM_RESTART_COUNT:-0} < 100)); then\n"
                  "    scontrol requeue ${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID\n"
                  "fi\n"
                  "exit $code\n";
