@@ -2,6 +2,8 @@
 // The warp is laid by texture: v runs along it.
 #include "verify/flat_cloth.h"
 
+#include "verify/small_systems.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -169,6 +171,42 @@ Scene sceneOf(const FlatCloth& cloth, const Material& material, double warp, dou
 std::vector<Particle>& particlesOf(Scene& scene)
 {
     return std::get<Part>(scene.items.back().item).particles;
+}
+
+std::vector<OfEdge> edgeOf(const FlatCloth& cloth, int across, double at)
+{
+    std::vector<OfEdge> found;
+    for (std::size_t i = 0; i < cloth.place.size(); ++i)
+        if (std::abs(cloth.place[i][across] - at) < 1e-9)
+            found.push_back({i, 0.0});
+    const auto along = [&](const OfEdge& one) { return cloth.place[one.particle][1 - across]; };
+    std::ranges::sort(found, {}, along);
+    const double length = along(found.back()) - along(found.front());
+    for (std::size_t k = 0; k + 1 < found.size(); ++k) {
+        const double half = 0.5 * (along(found[k + 1]) - along(found[k])) / length;
+        found[k].share += half;
+        found[k + 1].share += half;
+    }
+    return found;
+}
+
+Scene hungByRollers(const FlatCloth& cloth, const Material& material, double warp, double load)
+{
+    Scene scene = sceneOf(cloth, material, warp);
+    scene.settings.gravity = Vec3(standardGravity, 0.0, 0.0);
+    std::vector<Particle>& particles = particlesOf(scene);
+    double lowest = 0.0;
+    for (const Vec3& place : cloth.place)
+        lowest = std::max(lowest, place.x());
+    const auto upper = edgeOf(cloth, 0, 0.0);
+    for (const OfEdge& one : upper) {
+        particles[one.particle].guide = Guide::Line;
+        particles[one.particle].guideAxis = Vec3::UnitY();
+    }
+    particles[upper[upper.size() / 2].particle].pinned = true;
+    for (const auto& [i, share] : edgeOf(cloth, 0, lowest))
+        particles[i].mass += share * load / standardGravity;
+    return scene;
 }
 
 } // namespace ripstop

@@ -44,4 +44,18 @@ Scene sceneOf(const FlatCloth& cloth, const Material& material, double warp,
 
 std::vector<Particle>& particlesOf(Scene& scene); // of its last item, a part
 
+// The particles of a straight edge and the share of it that each one carries.
+struct OfEdge
+{
+    std::size_t particle;
+    double share; // 1
+};
+
+// The edge where the coordinate `across` is `at`, along the other one.
+std::vector<OfEdge> edgeOf(const FlatCloth& cloth, int across, double at);
+
+// The cloth hangs along x, its upper edge, x = 0, on rollers; at its lower one is a weight, N, that
+// pulls alike everywhere.
+Scene hungByRollers(const FlatCloth& cloth, const Material& material, double warp, double load);
+
 } // namespace ripstop

@@ -35,6 +35,7 @@ const Section sections[] = {
     {"Repeats", repeatCases},
     {"Contact", contactCases},
     {"Tearing", tearingCases},
+    {"Breaking by strength", strengthCases},
     {"Air", airCases},
     {"Laws of the air", airLawCases},
     {"Wings", wingCases},

@@ -36,6 +36,7 @@ std::vector<Case> invarianceCases();
 std::vector<Case> repeatCases();
 std::vector<Case> contactCases();
 std::vector<Case> tearingCases();
+std::vector<Case> strengthCases();
 std::vector<Case> airCases();
 std::vector<Case> airLawCases();
 std::vector<Case> wingCases();

@@ -29,31 +29,6 @@ enum class Wrinkles { Yes, No };
 
 // --- rollers and weights ----------------------------------------------------------------------
 
-// The particles of a straight edge and the share of it that each one carries.
-struct OfEdge
-{
-    std::size_t particle;
-    double share; // 1
-};
-
-// The edge where the coordinate `across` is `at`.
-std::vector<OfEdge> edge(const FlatCloth& cloth, int across, double at)
-{
-    std::vector<OfEdge> found;
-    for (std::size_t i = 0; i < cloth.place.size(); ++i)
-        if (std::abs(cloth.place[i][across] - at) < 1e-9)
-            found.push_back({i, 0.0});
-    const auto along = [&](const OfEdge& one) { return cloth.place[one.particle][1 - across]; };
-    std::ranges::sort(found, {}, along);
-    const double length = along(found.back()) - along(found.front());
-    for (std::size_t k = 0; k + 1 < found.size(); ++k) {
-        const double half = 0.5 * (along(found[k + 1]) - along(found[k])) / length;
-        found[k].share += half;
-        found[k + 1].share += half;
-    }
-    return found;
-}
-
 // The way of an edge across itself, m.
 double wayOf(const FlatCloth& cloth, const std::vector<OfEdge>& edge, int across,
              const State& state)
@@ -71,28 +46,18 @@ struct Stretches
 
 constexpr double stripLength = 0.3, stripWidth = 0.05, stripLoad = 20.0; // m, m, N
 
-// RF-1. Its upper edge, x = 0, is on rollers.
+// RF-1.
 Stretches hung(double warp, double cell, double turn, Wrinkles wrinkles, SolvedBy by)
 {
     const FlatCloth cloth = turnedRectangle(stripLength, stripWidth, cell, turn);
     Material material = clothA();
     material.resistsPushing = wrinkles == Wrinkles::No;
-    Scene scene = sceneOf(cloth, material, warp);
+    Scene scene = hungByRollers(cloth, material, warp, stripLoad);
     if (by)
         scene.settings.solver = *by;
-    scene.settings.gravity = Vec3(standardGravity, 0.0, 0.0);
-    std::vector<Particle>& particles = particlesOf(scene);
-    const auto upper = edge(cloth, 0, 0.0), lower = edge(cloth, 0, stripLength);
-    for (const OfEdge& one : upper) {
-        particles[one.particle].guide = Guide::Line;
-        particles[one.particle].guideAxis = Vec3::UnitY();
-    }
-    particles[upper[upper.size() / 2].particle].pinned = true;
-    for (const auto& [i, share] : lower)
-        particles[i].mass += share * stripLoad / standardGravity;
     const AtRest rest = restOf(scene, 1.0);
     const auto way = [&](int across, double at) {
-        return wayOf(cloth, edge(cloth, across, at), across, rest.state);
+        return wayOf(cloth, edgeOf(cloth, across, at), across, rest.state);
     };
     return {way(0, stripLength) / stripLength, (way(1, stripWidth) - way(1, 0.0)) / stripWidth};
 }
@@ -153,13 +118,13 @@ Stretches pulledBothWays(int cells, SolvedBy by)
     Part& part = std::get<Part>(scene.items.back().item);
     const Id material = part.panels.front().material;
     for (const int k : {0, 1}) {
-        for (const OfEdge& one : edge(cloth, k, 0.0)) {
+        for (const OfEdge& one : edgeOf(cloth, k, 0.0)) {
             Particle& held = part.particles[one.particle];
             held.pinned = held.guide == Guide::Line; // the corner of both
             held.guide = Guide::Line;
             held.guideAxis = Vec3::Unit(1 - k);
         }
-        for (const auto& [i, share] : edge(cloth, k, side)) {
+        for (const auto& [i, share] : edgeOf(cloth, k, side)) {
             Particle weight;
             weight.id = takeId(scene);
             weight.position = part.particles[i].position + wire * Vec3::Unit(k);
@@ -178,7 +143,7 @@ Stretches pulledBothWays(int cells, SolvedBy by)
     }
     const AtRest rest = restOf(scene, 1.0);
     const auto strain = [&](int k) {
-        return wayOf(cloth, edge(cloth, k, side), k, rest.state) / side;
+        return wayOf(cloth, edgeOf(cloth, k, side), k, rest.state) / side;
     };
     return {strain(0), strain(1)};
 }
