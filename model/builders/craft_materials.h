@@ -4,10 +4,11 @@
 // A builder lays its craft as the papers have it, of rods that never stretch, with masses from its
 // own parameters; that is what the choice "ideal" leaves. With a cloth that one can buy, panels
 // carry the pull of the sail, the warp along the textures' v; the rods that stood for the cloth go,
-// and hems are rods of what two turns of a hem of 1 cm make of the cloth. Spars get EA and EI, and
-// so do the rods that stand for the frame, but for bending; a line stretches, and its second rods
-// (kite_flight.h), which make up for sweeps that have not converged, go. What is chosen says what
-// the craft weighs.
+// and hems are rods of what two turns of a hem of 1 cm make of the cloth, its strength at its seams
+// included. Spars get EA and EI, and so do the rods that stand for the frame, but for bending and
+// strength: what they stand for is no tube that could break there; a line stretches, and its second
+// rods (kite_flight.h), which make up for sweeps that have not converged, go. What is chosen says
+// what the craft weighs.
 //
 // What a craft may be made of is its own: a kite of spinnaker cloth, a canopy of parachute nylon.
 // The choices stand in files by their number: new ones go to the end of a list.
@@ -25,9 +26,11 @@ inline constexpr auto clothChoices =
     std::to_array<std::string_view>({"ideal", "ripstop_050", "ripstop_075", "ripstop_150",
                                      "skytex_27", "skytex_32", "skytex_38", "teijin_d2"});
 inline constexpr auto sparChoices =
-    std::to_array<std::string_view>({"ideal", "fibreglass_tube_6", "fibreglass_tube_8"});
+    std::to_array<std::string_view>({"ideal", "fibreglass_tube_6", "fibreglass_tube_8",
+                                     "carbon_tube_6", "carbon_tube_8", "carbon_wrapped_8"});
 inline constexpr auto cordChoices = std::to_array<std::string_view>(
-    {"ideal", "dyneema_1", "dyneema_2", "liros_ltc45", "liros_ltc80", "liros_ltc120"});
+    {"ideal", "dyneema_1", "dyneema_2", "liros_ltc45", "liros_ltc80", "liros_ltc120",
+     "liros_ltc200", "liros_ltc400"});
 
 // clang-format off
 inline constexpr auto materialParameters = std::to_array<Parameter>({
@@ -55,6 +58,7 @@ struct CraftMaterials
     std::vector<Id> hems;    // of rods along its free edges, of sewn seams, and of ribbons
     std::vector<Id> spars;   // of rods that are spars
     std::vector<Id> frame;   // of rods that stand for the rest of the frame
+    std::vector<Id> wires;   // of those of the frame that are steel cables
     std::vector<Id> lines;   // of the line, and of the legs of a bridle
     std::vector<Id> doubled; // of second rods of the line
 };

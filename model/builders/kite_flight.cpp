@@ -109,6 +109,7 @@ void addKiteProbes(Scene& scene, const Parameters& p, Id kite, Id tow, const Fly
     addProbe(scene, "max strain", Quantity::MaxStrain, kite);
     if (!(p.at("gusts") > 0.0))
         return;
+    addProbe(scene, "wind", Quantity::Airspeed, hand); // that stands still
 
     Plot plot; // of all probes
     plot.name = "flight";

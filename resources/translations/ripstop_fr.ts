@@ -2839,9 +2839,9 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Ouverture</translation>
     </message>
     <message>
-        <location filename="tables"/>
-        <source>Strength</source>
-        <translation>Résistance</translation>
+        <location filename="hand_bar.cpp"/>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
     </message>
     <message>
         <location filename="hand_bar.cpp"/>
@@ -7963,11 +7963,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>Stiffness</source>
-        <translation>Raideur</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
         <source>Sweeps keep the stiffness of links to about %1 %.</source>
         <translation>Les balayages respectent la raideur des liaisons à environ %1 % près.</translation>
     </message>
@@ -8265,6 +8260,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>A cylinder on the ground, upright or lying, that cloth drapes over.</source>
         <translation>Un cylindre au sol, debout ou couché, sur lequel un tissu se drape.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A delta of 5 m and 0.5 oz in a gusty wind. At 15.3 s, after a lull, a gust of 15 m/s snaps its line tight: it pulls with 1.2 kN, and the old pocket along the leading edge, taken to bear 0.075 of the cloth's strength, tears at 400 N/m. Tune the joint efficiency of the border, 0.05 to 0.2; or give sail and border 0.75 oz, which also takes their tear rule and efficiency: with strength and 0.075 again it holds, with a fifth to spare.</source>
+        <translation>Un delta de 5 m en 0,5 oz dans un vent de rafales. À 15,3 s, après une accalmie, une rafale de 15 m/s tend sa ligne d’un coup : elle tire à 1,2 kN, et le vieux fourreau du bord d’attaque, censé garder 0,075 de la résistance de la toile, se déchire à 400 N/m. Réglez la tenue des coutures de « border », de 0,05 à 0,2 ; ou donnez à « sail » et « border » le 0,75 oz, qui leur prend aussi leur règle de rupture et leur tenue des coutures : avec « résistance » et de nouveau 0,075, il tient, avec un cinquième de marge.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8905,6 +8905,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Braces in each bay: 0 none, 1 one, leaning to and fro, 2 crossed.</source>
         <translation>Contreventements dans chaque travée : 0 aucun, 1 un seul, penché tour à tour, 2 croisés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Breaking by strength</source>
+        <translation>Rupture par la résistance</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12358,6 +12363,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Steel cable 3/32 in, 7 x 7</source>
+        <translation>Câble d’acier 3/32 in, 7 x 7</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Step from one to the next.</source>
         <translation>Pas de l’un au suivant.</translation>
     </message>
@@ -12405,6 +12415,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Strain by which a fabric that is pulled along its warp gets narrower over the strain along it, where panels carry its pull; 0.1 to 0.2 for tight coated cloth.</source>
         <translation>Déformation dont un tissu tiré le long de sa chaîne rétrécit, sur la déformation le long d’elle, là où les panneaux portent sa traction ; 0,1 à 0,2 pour un tissu enduit serré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Strength</source>
+        <translation>Résistance</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12625,6 +12640,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>The largest of all links.</source>
         <translation>La plus grande de toutes les liaisons.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The last gust</source>
+        <translation>La dernière rafale</translation>
     </message>
     <message>
         <location filename="tables"/>
