@@ -9,7 +9,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double hemWidth = 0.02; // m, of cloth that is turned in twice
+constexpr double hemWidth = 0.02;                        // m, of cloth that is turned in twice
+constexpr std::string_view frameWire = "steel_cable_24"; // what hang gliders are braced with
 // Spars of the library have no measured damping. This is the loss of fabrics and lines, and has all
 // rods of a craft calm themselves, as the step that looks two places back needs it.
 constexpr double sparDamping = 473.0 / 614600.0; // s
@@ -63,6 +64,17 @@ void drop(const std::vector<Id>& materials, Scene& scene, Network& network)
     });
 }
 
+// A hem runs along either yarn or across both, so that the weaker of them counts.
+void turnIn(const Material& cloth, Material& hem)
+{
+    hem.axialStiffness = hemWidth * *cloth.membraneStiffness;
+    if (cloth.warpStrength)
+        hem.lineStrength =
+            hemWidth
+            * std::min(*cloth.warpStrength, cloth.weftStrength.value_or(*cloth.warpStrength));
+    hem.jointEfficiency = cloth.jointEfficiency;
+}
+
 void makeCloth(const Preset& cloth, const Preset* tape, const CraftMaterials& materials,
                Scene& scene, Network& network)
 {
@@ -72,7 +84,7 @@ void makeCloth(const Preset& cloth, const Preset* tape, const CraftMaterials& ma
         if (tape)
             give(m, *tape);
         else
-            m.axialStiffness = hemWidth * *numbers.membraneStiffness;
+            turnIn(numbers, m);
         m.dampingTime = numbers.dampingTime;
     });
     drop(materials.seams, scene, network);
@@ -90,6 +102,11 @@ void makeSpars(const Preset& spar, const CraftMaterials& materials, Scene& scene
     forEachMaterial(scene, materials.frame, [&](Material& m) {
         m.axialStiffness = numbersOf(spar).axialStiffness;
         m.dampingTime = sparDamping;
+    });
+    const Material cable = numbersOf(**findPreset(frameWire));
+    forEachMaterial(scene, materials.wires, [&](Material& m) {
+        m.lineStrength = cable.lineStrength;
+        m.jointEfficiency = cable.jointEfficiency;
     });
 }
 

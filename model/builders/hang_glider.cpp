@@ -105,6 +105,7 @@ CraftMaterials craftMaterials(const Materials& materials)
         craft.hems = {sail.hem};
     craft.spars = {sail.edges};
     craft.frame = {materials.wires, materials.frame};
+    craft.wires = {materials.wires};
     return craft;
 }
 

@@ -10,6 +10,10 @@
 #include "derived/flat_panel.h"
 #include "materials/presets.h"
 #include "model/sample_scenes.h"
+#include "scene/check.h"
+#include "scene/cloth_area.h"
+#include "scene/flat_panel.h"
+#include "scene/strength_gaps.h"
 
 #include <QtTest>
 
@@ -161,6 +165,28 @@ private slots:
              parameterOf(builder, parameter.data()).choices.subspan(1))
             for (const QByteArray& key : needed)
                 QVERIFY2(number(std::string(name).c_str(), key.data()) > 0.0, name.data());
+    }
+
+    // Hems are 2 cm of Dacron of 40 kN/m, wires steel cables of 920 lb (AC 43.13-1B, table 7-3);
+    // seams and skirt 2 cm of nylon of 7355 N/m.
+    void hemsAndWiresHaveTheirStrength()
+    {
+        const auto strength = [](const Scene& scene, std::string_view name) {
+            const auto found = std::ranges::find_if(
+                scene.items, [&](const Entry& entry) { return nameOf(entry.item) == name; });
+            return std::get<Material>(found->item).lineStrength.value_or(0.0);
+        };
+        const Scene glider = craft("hang_glider", dacron());
+        QCOMPARE(strength(glider, "hem"), 800.0);
+        QVERIFY(std::abs(strength(glider, "wire") - 920.0 * 4.4482216) < 1.0);
+        for (const Id id : materialsWithoutStrength(glider))
+            QCOMPARE(nameOf(*findItem(glider, id)), std::string("frame"));
+        const Scene canopy = craft("parachute", nylon({{"pressure", 1.68}}));
+        QCOMPARE(strength(canopy, "gore seams"), 147.1);
+        QCOMPARE(strength(canopy, "skirt"), 147.1);
+        QVERIFY(materialsWithoutStrength(canopy).empty());
+        const Scene papers = craft("hang_glider", {});
+        QCOMPARE(strength(papers, "wire"), 0.0);
     }
 
     // The cloth has the area of D0. Gores are triangles of sides R: S/2 R^2 sin(2 pi / S) of it,
