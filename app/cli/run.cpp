@@ -133,7 +133,7 @@ int flyAndReport(Scene scene, Simulation& simulation, const RunOptions& options,
     if (table)
         written.push_back(table->close(*simulation.frame()));
     if (!options.tears.empty())
-        written.push_back(writeTears(scene, simulation.frame()->tears, options.tears));
+        written.push_back(writeTears(scene, *simulation.frame(), options.tears));
     Json unjudged;
     if (!options.loads.empty()) {
         written.push_back(writeLoads(scene, *simulation.frame(), options.loads));
@@ -281,7 +281,7 @@ void addRun(CLI::App& app, Command& chosen)
         ->type_name("FILE");
     command
         ->add_option("--tears", options->tears,
-                     "Write every break: time, element, part, strain, force, energy, place")
+                     "Write every break: time, element, part, strain, force, energy, place, event")
         ->type_name("FILE");
     command
         ->add_option("--loads", options->loads,

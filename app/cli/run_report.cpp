@@ -6,6 +6,7 @@
 #include "measure/diagnostics.h"
 #include "run/end_check.h"
 #include "run/has_margins.h"
+#include "run/tear_events.h"
 #include "run/tear_report.h"
 #include "study/probe_names.h"
 
@@ -27,6 +28,16 @@ const char* loadName(const Tear& tear, const Frame& frame)
     return isSnap(tear) ? "moment" : isOfPanel(tear, *frame.layout) ? "tension" : "force";
 }
 
+// What is left holds so many times what it bears now, if all its loads grow alike: its place that
+// is nearest to breaking says it. Null where nothing that has a strength bears anything.
+Json leftStrength(const Frame& frame)
+{
+    if (frame.worstNow.all().empty())
+        return nullptr;
+    const double margin = frame.worstNow.all()[0].margin();
+    return {{"margin", margin}, {"holds", 1.0 / margin}};
+}
+
 Json tearSummary(const Frame& frame)
 {
     const std::span<const Tear> tears = frame.tears;
@@ -41,6 +52,16 @@ Json tearSummary(const Frame& frame)
     result["front"] = Json::array();
     for (const TearReport::Front& front : report.front)
         result["front"].push_back({{"time", front.time}, {"distance", front.distance}});
+    result["events"] = Json::array();
+    for (const TearEvent& event : tearEvents(tears, *frame.layout).all)
+        result["events"].push_back(
+            {{"begin", event.begin},
+             {"end", event.end},
+             {"count", event.count},
+             {"energy", event.energy},
+             {"first", event.first},
+             {"place", {event.place.x(), event.place.y(), event.place.z()}}});
+    result["left"] = leftStrength(frame);
     return result;
 }
 
@@ -85,6 +106,23 @@ void printReportRow(const std::string& label, const std::string& text)
 {
     std::cout << label << std::string(24 - std::min<std::size_t>(label.size(), 23), ' ') << text
               << '\n';
+}
+
+void printTearEvents(const Json& tears)
+{
+    constexpr std::size_t most = 5;
+    const Json& events = tears["events"];
+    printReportRow("events", std::to_string(events.size()));
+    for (std::size_t i = 0; i < std::min(most, events.size()); ++i) {
+        const Json& event = events[i];
+        const long count = event["count"].get<long>();
+        printReportRow("  from " + shortNumber(event["begin"]) + " s",
+                       std::to_string(count) + (count == 1 ? " tear" : " tears") + " until "
+                           + shortNumber(event["end"]) + " s, " + shortNumber(event["energy"])
+                           + " J, the first in " + std::to_string(event["first"].get<long>()));
+    }
+    if (const Json& left = tears["left"]; !left.is_null())
+        printReportRow("what is left holds", shortNumber(left["holds"]) + " times its load now");
 }
 
 void printWorstMargin(const Json& loads)
@@ -224,6 +262,7 @@ void printRunTable(const Json& result, const Layout& layout)
         printReportRow("tears reach", shortNumber(end["distance"]) + " m from there at "
                                           + shortNumber(end["time"]) + " s");
         printReportRow("energy they released", shortNumber(tears["energy"]) + " J");
+        printTearEvents(tears);
     }
     printWorstMargin(result["loads"]);
     if (result.contains("settled")) {

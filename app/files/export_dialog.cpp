@@ -376,7 +376,7 @@ QString ExportDialog::writeNow() const
     const auto* table = std::get_if<RunTable>(&choice().what);
     const auto failure = !table ? writeMoment(*m_now, MeshAppearance(m_scene), file)
                          : *table == RunTable::Tears
-                             ? writeTears(m_scene, m_now->tears, file)
+                             ? writeTears(m_scene, *m_now, file)
                              : writeControlTrack(m_scene, trackOf(*m_now), file);
     return failure ? translated(failure->message) : QString();
 }

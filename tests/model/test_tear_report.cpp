@@ -4,6 +4,8 @@
 // table is written, and refused where nothing can be written.
 #include "compile/compile.h"
 #include "io/tear_table.h"
+#include "run/simulation.h"
+#include "run/tear_events.h"
 #include "run/tear_report.h"
 #include "simulation/simulation.h"
 
@@ -87,6 +89,61 @@ private slots:
         }
     }
 
+    // A row of four links, 1 to 4, between particles 10 to 14, and a link 5 elsewhere. Neighbours
+    // within 0.1 s are one event: 2 and 3 are at once; 1 comes by 2 alone; 5 has no neighbour; 4
+    // comes 0.15 s after 3, and joins the event by nothing. Where they are does not count.
+    void events()
+    {
+        Layout layout;
+        for (const int id : {10, 11, 12, 13, 14, 20, 21})
+            layout.particleId.push_back(std::uint32_t(id));
+        for (int i = 0; i < 4; ++i)
+            layout.links.push_back({std::uint32_t(i + 1), LinkKind::Rod, i, i + 1, 1.0});
+        layout.links.push_back({5, LinkKind::Rod, 5, 6, 1.0});
+        std::vector<Tear> tears;
+        for (const auto& [time, element] :
+             {std::pair(1.0, 3), {1.0, 2}, {1.05, 5}, {1.08, 1}, {1.15, 4}, {1.2, 99}}) {
+            Tear tear;
+            tear.time = time;
+            tear.element = std::uint32_t(element);
+            tear.energy = 0.5 * element;
+            tear.place = {17.0 * time, 0.0, 0.0};
+            tears.push_back(tear);
+        }
+        const TearEvents events = tearEvents(tears, layout);
+        QCOMPARE(events.of, (std::vector<std::size_t>{0, 0, 1, 0, 2, 3}));
+        const TearEvent expected[]{{1.0, 1.08, 3, 3.0, 3, {17.0, 0.0, 0.0}},
+                                   {1.05, 1.05, 1, 2.5, 5, {17.0 * 1.05, 0.0, 0.0}},
+                                   {1.15, 1.15, 1, 2.0, 4, {17.0 * 1.15, 0.0, 0.0}},
+                                   {1.2, 1.2, 1, 49.5, 99, {17.0 * 1.2, 0.0, 0.0}}};
+        QCOMPARE(events.all.size(), std::size(expected));
+        for (std::size_t i = 0; i < std::size(expected); ++i)
+            QVERIFY(events.all[i] == expected[i]);
+        QVERIFY(tearEvents({}, layout).all.empty());
+    }
+
+    // Two events become one where a break joins them: 1 and 5 of a row of panels, then 3 between
+    // them, which has one panel to either side.
+    void eventsAreJoined()
+    {
+        Layout layout;
+        layout.particleId = {10, 11, 12, 13, 14, 15};
+        for (int i = 0; i < 5; ++i) {
+            layout.panelId.push_back(std::uint32_t(i + 1));
+            layout.panelCorners.push_back({i, i, i + 1});
+        }
+        std::vector<Tear> tears(3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            tears[i].time = 1.0 + 0.01 * double(i);
+            tears[i].element = std::array{1u, 5u, 3u}[i];
+        }
+        QCOMPARE(tearEvents(std::span(tears).first(2), layout).all.size(), std::size_t(2));
+        const TearEvents events = tearEvents(tears, layout);
+        QCOMPARE(events.all.size(), std::size_t(1));
+        QCOMPARE(events.all[0].count, 3);
+        QCOMPARE(events.of, (std::vector<std::size_t>{0, 0, 0}));
+    }
+
     // k s^2 / 2 of 0.5 J and 2 J, k s of 10 N and 20 N.
     void table_data()
     {
@@ -107,11 +164,9 @@ private slots:
         QVERIFY(simulation.step());
         QCOMPARE(simulation.frame()->tears.size(), std::size_t(most > 0 ? most : 2));
         QVERIFY(simulation.step());
-        const std::vector<Tear> tears = simulation.frame()->tears;
-
         QTemporaryDir folder;
         const QString path = folder.filePath("tears.csv");
-        const auto failure = writeTears(scene, tears, path.toStdString());
+        const auto failure = writeTears(scene, *simulation.frame(), path.toStdString());
         QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -119,14 +174,14 @@ private slots:
         QCOMPARE(rows.size(), qsizetype(4)); // and the end of the last
         QCOMPARE(rows[0],
                  QString("time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m),"
-                         "tension (N/m),moment (N m)"));
+                         "tension (N/m),moment (N m),event"));
         for (int i = 0; i < 2; ++i) {
             const double rest = i == 0 ? 0.4 : 0.3;
             const double stretch = 0.5 - rest;
             const QString part = i == 0 ? "\"left, \"\"upper\"\"\"" : "right";
             QVERIFY2(rows[i + 1].contains(',' + part + ','), qPrintable(rows[i + 1]));
             const QStringList cells = QString(rows[i + 1]).replace(part, "part").split(',');
-            QCOMPARE(cells.size(), qsizetype(11)); // the last two are of panels and spars
+            QCOMPARE(cells.size(), qsizetype(12)); // two before the last are of panels and spars
             const auto near = [&](int column, double expected) {
                 return std::abs(cells[column].toDouble() - expected) < 1e-12;
             };
@@ -139,12 +194,13 @@ private slots:
             QVERIFY(near(6, 0.25));
             QVERIFY(near(7, rest));
             QVERIFY(near(8, 0.0));
+            QVERIFY(near(11, i + 1)); // they share no particle
         }
     }
 
     void tableIntoNowhere()
     {
-        const auto failure = writeTears(twoParts(), {}, "/nowhere/tears.csv");
+        const auto failure = writeTears(twoParts(), Frame(), "/nowhere/tears.csv");
         QVERIFY(failure);
         QVERIFY(failure->message.english().find("/nowhere/tears.csv") != std::string::npos);
     }
