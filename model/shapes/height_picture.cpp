@@ -3,7 +3,9 @@
 // 1. PGM, as text or binary, is read here: size, largest value, then samples of one or two bytes.
 // 2. PNG is read by libpng, which turns palettes and colours into grey. It reports flaws by a long
 //    jump, so that the function it jumps through holds nothing with a destructor.
-// 3. Samples become heights from 0 (black) to 1 (white). Sizes are checked before memory is taken.
+// 3. Samples become heights from 0 (black) to 1 (white). Sizes are checked before memory is taken:
+//    a PNG of one colour has a thousand points for each of its bytes, so that some kilobytes would
+//    ask for half a gigabyte.
 #include "shapes/height_picture.h"
 
 #include <png.h>
@@ -16,7 +18,9 @@
 namespace ripstop {
 namespace {
 
-constexpr int mostPoints = 8192; // along a side
+constexpr int mostPoints = 8192;             // along a side
+constexpr long pointsAtOnce = 8 << 20;       // of a PNG of any size, 2896 x 2896
+constexpr std::uintmax_t pointsPerByte = 32; // more of them; a point takes ten bytes of memory
 
 Failure unreadable(const std::filesystem::path& file, const Message& why)
 {
@@ -30,6 +34,15 @@ std::optional<Message> badSize(long columns, long rows)
     if (columns >= 2 && rows >= 2 && columns <= mostPoints && rows <= mostPoints)
         return std::nullopt;
     return Message("it is %1 x %2 points, and 2 x 2 to 8192 x 8192 are possible", columns, rows);
+}
+
+// Whether a PNG has so few bytes for its points that it would take far more memory than it is
+// worth.
+bool isBomb(const std::filesystem::path& file, long columns, long rows)
+{
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+    return error || std::uintmax_t(columns * rows) > pointsAtOnce + pointsPerByte * bytes;
 }
 
 // Samples of one or two bytes, the high one first.
@@ -88,8 +101,8 @@ Result<HeightGrid> readPgm(const std::filesystem::path& file)
 
 // Reads the rows of a PNG; false with a reason when that fails. libpng reports flaws by a jump back
 // to here, so nothing with a destructor may live in between.
-bool readRows(png_structp png, png_infop info, std::FILE* file, std::vector<unsigned char>& samples,
-              long (&size)[2], bool& wide, Message& why)
+bool readRows(png_structp png, png_infop info, const std::filesystem::path& path, std::FILE* file,
+              std::vector<unsigned char>& samples, long (&size)[2], bool& wide, Message& why)
 {
     if (setjmp(png_jmpbuf(png)))
         return false;
@@ -101,6 +114,11 @@ bool readRows(png_structp png, png_infop info, std::FILE* file, std::vector<unsi
     wide = png_get_bit_depth(png, info) == 16;
     if (size[0] > mostPoints || size[1] > mostPoints)
         return true;
+    if (isBomb(path, size[0], size[1])) {
+        why = Message("it has too few bytes for %1 x %2 points; fewer points, or a PGM, would do",
+                      size[0], size[1]);
+        return false;
+    }
     png_set_expand(png); // palettes and few bits become 8 bits
     if (type & PNG_COLOR_MASK_COLOR)
         png_set_rgb_to_gray(png, PNG_ERROR_ACTION_NONE, -1, -1);
@@ -134,7 +152,7 @@ Result<HeightGrid> readPng(const std::filesystem::path& file)
     std::vector<unsigned char> samples;
     long size[2] = {};
     bool wide = false;
-    const bool read = in && info && readRows(png, info, in.get(), samples, size, wide, why);
+    const bool read = in && info && readRows(png, info, file, in.get(), samples, size, wide, why);
     png_destroy_read_struct(&png, &info, nullptr);
     if (!read)
         return unreadable(file, why);

@@ -2925,6 +2925,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
+        <source>it has too few bytes for %1 x %2 points; fewer points, or a PGM, would do</source>
+        <translation>il a trop peu d’octets pour %1 x %2 points ; moins de points, ou un PGM, conviendraient</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
         <source>its largest value is not 1 to 65535</source>
         <translation>sa plus grande valeur n’est pas de 1 à 65535</translation>
     </message>

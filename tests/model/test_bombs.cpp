@@ -9,8 +9,9 @@
 #include "bundle/bundle.h"
 #include "bundle/zip_file.h"
 #include "io/recording_file.h"
-#include "recording/run_chunk.h"
-#include "recording/run_fields.h"
+#include "run/run_chunk.h"
+#include "run/run_fields.h"
+#include "shapes/height_picture.h"
 
 #include "files.h"
 #include "flown.h"
@@ -19,6 +20,7 @@
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
+#include <QtEndian>
 #include <QtTest>
 
 #include <sys/resource.h>
@@ -42,6 +44,35 @@ std::string claiming(std::uint64_t size)
     std::string frame("\x28\xb5\x2f\xfd\xe0", 5); // magic; one segment, a size of eight bytes
     frame.append(reinterpret_cast<const char*>(&size), sizeof size);
     return frame + std::string("\x01\0\0", 3); // the last block, raw and empty
+}
+
+QByteArray bigEndian(quint32 number)
+{
+    QByteArray bytes(4, 0);
+    qToBigEndian(number, bytes.data());
+    return bytes;
+}
+
+// A piece of a PNG with its checksum, CRC-32 as ISO 3309 has it.
+QByteArray pngChunk(const QByteArray& type, const QByteArray& data)
+{
+    quint32 crc = 0xffffffffu;
+    for (const char c : type + data) {
+        crc ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit)
+            crc = (crc >> 1) ^ (crc & 1 ? 0xedb88320u : 0u);
+    }
+    return bigEndian(quint32(data.size())) + type + data + bigEndian(~crc);
+}
+
+// A grey PNG of 8 bits that is `side` points wide and high, and has `rows` black rows.
+QByteArray blackPng(quint32 side, quint32 rows)
+{
+    const QByteArray zeros(qsizetype(rows) * (side + 1), 0); // a row begins with its filter
+    return "\x89PNG\r\n\x1a\n"
+           + pngChunk("IHDR", bigEndian(side) + bigEndian(side) + QByteArray::fromHex("0800000000"))
+           + pngChunk("IDAT", qCompress(zeros, 9).mid(4)) // the size is Qt's
+           + pngChunk("IEND", {});
 }
 
 long peakMemory() // KiB
@@ -242,6 +273,27 @@ private slots:
                      && said.find("far more in it than its size allows") != std::string::npos,
                  said.c_str());
         QVERIFY(!openBundle(zip.toStdString()));
+    }
+
+    // A black picture has a thousand points for each of its bytes.
+    void aBlackPicture()
+    {
+        const QString file = m_folder.filePath("black.png");
+        write(file, blackPng(2048, 2048));
+        QVERIFY(QFileInfo(file).size() < 10000);
+        const auto small = readHeightPicture(file.toStdString());
+        QVERIFY2(small, small ? "" : small.message().english().c_str());
+        QVERIFY(std::ranges::all_of(small->height, [](double height) { return height == 0.0; }));
+
+        write(file, blackPng(8192, 1)); // it is refused by its head
+        const long before = peakMemory();
+        const auto refused = readHeightPicture(file.toStdString());
+        QVERIFY(!refused);
+        const std::string said = refused.message().english();
+        QVERIFY2(said.find("black.png") != std::string::npos
+                     && said.find("too few bytes for 8192 x 8192 points") != std::string::npos,
+                 said.c_str());
+        QVERIFY(peakMemory() - before < 16 * 1024); // KiB, of 64 MiB that the points would take
     }
 
 private:
