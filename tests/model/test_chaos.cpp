@@ -1,6 +1,6 @@
 // Every command that writes, ended at a random moment: killed, told to end, on a full disk, with
-// its folder gone. What must hold is that a file is the old one or a whole new one, and that
-// nothing is left behind when the next command is through.
+// its folder read-only or gone. What must hold is that a file is the old one or a whole new one,
+// and that nothing is left behind when the next command is through.
 //
 // A Work is a command with its targets in a folder of its own. It is run to its end once, for the
 // files that it makes and the time that it takes. The suite kills for some seconds; ./dev chaos N
@@ -19,6 +19,7 @@
 
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace ripstop;
@@ -210,6 +211,37 @@ private:
     bool m_isThere = false;
 };
 
+// Makes a file or a folder read-only for as long as it lives: for root, who may write where the
+// permissions forbid it, by a mount of it over itself, for others by its permissions.
+class ReadOnly
+{
+public:
+    explicit ReadOnly(const QString& path)
+        : m_path(path.toLocal8Bit())
+    {
+        m_isMounted = ::mount(m_path, m_path, nullptr, MS_BIND, nullptr) == 0;
+        if (m_isMounted)
+            ::mount(nullptr, m_path, nullptr, MS_REMOUNT | MS_BIND | MS_RDONLY, nullptr);
+        else
+            ::chmod(m_path, S_IRUSR | S_IXUSR);
+    }
+    ~ReadOnly()
+    {
+        if (m_isMounted)
+            ::umount2(m_path, MNT_DETACH);
+        else
+            ::chmod(m_path, S_IRWXU);
+    }
+    ReadOnly(const ReadOnly&) = delete;
+    ReadOnly& operator=(const ReadOnly&) = delete;
+
+    bool isInForce() const { return ::access(m_path, W_OK) != 0; }
+
+private:
+    QByteArray m_path;
+    bool m_isMounted = false;
+};
+
 } // namespace
 
 class TestChaos : public QObject
@@ -320,6 +352,40 @@ private slots:
             QVERIFY2(QFileInfo(QDir(disk.folder()).filePath(name)).isDir()
                          || isWhole(QDir(disk.folder()).filePath(name)),
                      qPrintable(name));
+    }
+
+    void mayNotWrite_data()
+    {
+        QTest::addColumn<int>("work");
+        QTest::addColumn<bool>("inFolder");
+        for (std::size_t i = 0; i < works().size(); ++i) {
+            QTest::addRow("%s, folder", works()[i].name) << int(i) << true;
+            QTest::addRow("%s, target", works()[i].name) << int(i) << false;
+        }
+    }
+
+    // Neither in a folder that is read-only nor over a file that is.
+    void mayNotWrite()
+    {
+        QFETCH(int, work);
+        QFETCH(bool, inFolder);
+        const Arena arena(works()[std::size_t(work)]);
+        QCOMPARE(arena.whyNot(), QByteArray());
+        arena.putOld();
+        const ReadOnly readOnly(inFolder ? arena.folder()
+                                         : arena.path(arena.work().targets.first()));
+        if (!readOnly.isInForce())
+            QSKIP("Nothing can be made read-only here.");
+        QProcess program;
+        arena.start(program, arena.folder());
+        QVERIFY(program.waitForFinished(120000));
+        const QString said = program.readAllStandardError();
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QVERIFY2(program.exitCode() == 1, qPrintable(said));
+        QCOMPARE(said.count('\n'), 1);
+        QVERIFY2(said.contains("choose another folder"), qPrintable(said));
+        QCOMPARE(arena.flaw(arena.folder(), true), QByteArray());
+        QCOMPARE(leftIn(arena.folder()), QStringList());
     }
 
     void losesItsFolder_data() { addWorks(); }

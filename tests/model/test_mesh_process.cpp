@@ -12,8 +12,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <set>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 using namespace ripstop;
 
@@ -185,6 +188,65 @@ private slots:
         QVERIFY2(said.startsWith("1") && said.contains("ripstop-mesh-reader"), qPrintable(said));
         QVERIFY2(said.contains("save the mesh as OBJ"), qPrintable(said));
         QCOMPARE(importOf(write("cube.obj", cubeOfQuads)), QString("0"));
+    }
+
+    // What the manual says of the processor: 60 s and 2 s for each MiB, here of 19.07 MiB.
+    void timeIsLimited()
+    {
+        const quint32 count = 400000;
+        QByteArray mesh(84 + qsizetype(count) * 50, '\0');
+        std::memcpy(mesh.data() + 80, &count, sizeof count);
+        const QString file = write("long.stl", mesh);
+        std::set<long> seen; // s
+        const auto look = [&](double) {
+            QFile children(QString("/proc/self/task/%1/children").arg(::getpid()));
+            if (children.open(QIODevice::ReadOnly)) {
+                rlimit limit{};
+                const pid_t child = pid_t(children.readAll().trimmed().toInt());
+                if (child > 0 && ::prlimit(child, RLIMIT_CPU, nullptr, &limit) == 0
+                    && limit.rlim_cur != RLIM_INFINITY)
+                    seen.insert(long(limit.rlim_cur));
+            }
+            return true;
+        };
+        (void)readPolygonFile(file.toStdString(), look);
+        QVERIFY(seen.contains(98)); // 60 + 38
+        seen.erase(98);
+        seen.erase(60); // before it knew the size
+        QVERIFY(seen.empty());
+    }
+
+    // However a reader ends, it is a sentence. These work until their second of the processor is
+    // over, or are ended as by the clock and by a crash.
+    void endsOfTheReader_data()
+    {
+        QTest::addColumn<QByteArray>("script");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("processor") << QByteArray("ulimit -S -t 1; while :; do :; done")
+                                   << "takes longer to read than a file of its size may";
+        QTest::newRow("clock") << QByteArray("kill -s ALRM $$")
+                               << "takes longer to read than a file of its size may";
+        QTest::newRow("crash") << QByteArray("kill -s SEGV $$") << "crashed on it";
+        QTest::newRow("killed") << QByteArray("kill -s KILL $$") << "crashed on it";
+    }
+
+    void endsOfTheReader()
+    {
+        QFETCH(QByteArray, script);
+        QFETCH(QString, says);
+        QVERIFY(QDir().mkpath(m_folder.filePath("ends")));
+        const QString program = m_folder.filePath("ends/ripstop-cli");
+        QVERIFY(QFile::exists(program) || QFile::copy(CLI_PROGRAM, program));
+        const QString reader = write("ends/ripstop-mesh-reader", "#!/bin/sh\n" + script + "\n");
+        QVERIFY(
+            QFile(reader).setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner));
+        QProcess process;
+        process.start(program, {"import", write("cube.stl", cubeAsStl()), "-o",
+                                m_folder.filePath("ends.ripstop.json")});
+        QVERIFY(process.waitForFinished(60000));
+        const QString said = process.readAllStandardError();
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY2(said.contains(says) && said.count('\n') == 1, qPrintable(said));
     }
 
     // The process is gone, and waited for, when the call returns.
