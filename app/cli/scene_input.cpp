@@ -2,11 +2,12 @@
 
 #include "io/scene_file.h"
 #include "scene/path.h"
-#include "simulation/simulation.h"
+#include "scene/unknown_items.h"
 #include "terminal/terminal.h"
 
 #include <charconv>
 #include <filesystem>
+#include <iostream>
 
 namespace ripstop {
 
@@ -78,6 +79,8 @@ SceneOutcome loadScene(const SceneInput& input)
     Result<Scene> scene = readScene(input.file);
     if (!scene)
         return {std::nullopt, fail(BadInput, scene.message())};
+    for (const UnknownItem& item : scene->unknownItems)
+        std::cerr << "ripstop-cli: " << input.file << ": " << unknownText(item).english() << '\n';
     if (const auto failure = assign(*scene, input.assignments))
         return {std::nullopt, fail(WrongUsage, failure->message)};
     return {std::move(*scene), Done};

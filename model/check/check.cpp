@@ -17,6 +17,10 @@
 #include "derived/collider_shape.h"
 #include "derived/formula.h"
 #include "scene/element_index.h"
+#include "scene/formula.h"
+#include "scene/step_limits.h"
+#include "scene/tear_check.h"
+#include "scene/unknown_items.h"
 
 #include <algorithm>
 #include <cctype>
@@ -97,6 +101,7 @@ public:
         stability();
         gaps();
         checkTearing(m_scene, adding());
+        checkUnknownItems(m_scene, adding());
         if (!m_hasParticles)
             add("empty", Severity::Warning,
                 Message("The scene has no particles: insert a part or import a mesh."), noId);
@@ -131,10 +136,8 @@ private:
         references();
         masses();
         shapes();
-        elasticPanels();
+        checkElasticPanels(m_scene, m_index, adding());
     }
-
-    void elasticPanels() { checkElasticPanels(m_scene, m_index, adding()); }
 
     AddFinding adding()
     {
@@ -168,17 +171,21 @@ private:
                 continue;
             const auto check = [&](Id id) {
                 const std::optional<Kind> found = m_index.kindOf(id);
-                if (!found)
-                    add("dangling", Severity::Error,
-                        Message("%1: %2 points at %3, which does not exist; choose another or "
-                                "remove it.",
-                                named(kindOf(ref), holder), property.key, std::uint32_t(id)),
-                        holder);
-                else if (!property.pointsAt.contains(*found))
-                    add("dangling", Severity::Error,
-                        Message("%1: %2 points at %3, which is a %4.", named(kindOf(ref), holder),
-                                property.key, std::uint32_t(id), Message::word(kindName(*found))),
-                        holder);
+                if (found && property.pointsAt.contains(*found))
+                    return;
+                const Message name = named(kindOf(ref), holder);
+                const auto number = std::uint32_t(id);
+                const UnknownItem* unknown = findUnknownItem(m_scene, id);
+                add("dangling", Severity::Error,
+                    found     ? Message("%1: %2 points at %3, which is a %4.", name, property.key,
+                                        number, Message::word(kindName(*found)))
+                    : unknown ? Message("%1: %2 points at %3 of the type %4, which this version "
+                                        "does not know; choose another or remove it.",
+                                        name, property.key, number, unknown->type)
+                              : Message("%1: %2 points at %3, which does not exist; choose another "
+                                        "or remove it.",
+                                        name, property.key, number),
+                    holder);
             };
             const Value value = property.get(ref);
             if (const Id* id = std::get_if<Id>(&value); id && *id != noId)

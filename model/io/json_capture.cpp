@@ -10,10 +10,15 @@ bool JsonCapture::start(std::string& into, std::string_view key)
         into += ", ";
     appendQuoted(into, key);
     into += ": ";
+    start(into);
+    return true;
+}
+
+void JsonCapture::start(std::string& into)
+{
     m_into = &into;
     m_depth = 0;
     m_comma = false;
-    return true;
 }
 
 bool JsonCapture::add(const JsonEvent& event, std::string_view text)

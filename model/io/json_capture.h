@@ -1,5 +1,5 @@
-// Keeps keys of a scene file that this version does not know, with their values, as text, so that
-// they can be written back. The scene reader hands it the events of such a value.
+// Keeps keys and items of a scene file that this version does not know as text, so that they can be
+// written back. The scene reader hands it the events of such a value.
 #pragma once
 
 #include "io/json_events.h"
@@ -9,12 +9,13 @@
 
 namespace ripstop {
 
-// Keeps a key that is not understood, and its value, as text in our own spelling.
+// Keeps a value that is not understood, with its key if it has one, as text in our own spelling.
 class JsonCapture
 {
 public:
     // After a Key: the events up to the end of its value belong here. Returns true.
     bool start(std::string& into, std::string_view key);
+    void start(std::string& into); // a value without a key
     bool active() const { return m_into != nullptr; }
 
     // `text` is what the events come from. Returns true.

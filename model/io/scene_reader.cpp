@@ -18,6 +18,8 @@ namespace {
 using Token = JsonEvent::Type;
 
 constexpr std::size_t deepest = 64; // levels of nesting; a scene needs six
+constexpr std::string_view noIdRule =
+    "has no \"id\"; give it a whole number that nothing else in the file has";
 constexpr std::string_view idRule = "must be an id: a whole number from 1 to 4000000000";
 
 template <typename Row>
@@ -50,7 +52,7 @@ public:
         if (!m_fileUnknown.empty())
             scene.unknown[noId] = "{" + m_fileUnknown + "}";
         for (const Written& written : m_draft.written)
-            scene.nextId = std::max(scene.nextId, Id{std::uint32_t(written.id) + 1});
+            takeAbove(written.id);
         return std::move(m_draft);
     }
 
@@ -78,7 +80,7 @@ private:
         if (m_depth > deepest)
             return flaw("is nested deeper than any scene; remove the brackets");
         if (m_unknown.active())
-            return m_unknown.add(event, m_text);
+            return keep(event);
 
         switch (m_in.back()) {
         case In::Nothing:
@@ -150,6 +152,18 @@ private:
         return event.type == Token::BeginArray ? enter(In::Items) : flaw("must be a list: [...]");
     }
 
+    // New ids are above this one.
+    void takeAbove(Id id)
+    {
+        Scene& scene = m_draft.scene;
+        scene.nextId = std::max(scene.nextId, Id{std::uint32_t(id) + 1});
+    }
+
+    static bool isIdNumber(double number, double largest)
+    {
+        return number == std::floor(number) && number >= 1.0 && number <= largest;
+    }
+
     bool once(std::uint64_t& seen, std::size_t bit)
     {
         if (seen >> bit & 1)
@@ -160,8 +174,7 @@ private:
 
     bool readId(const JsonEvent& event, Id& id, double largest = largestId)
     {
-        if (event.type != Token::Number || event.number != std::floor(event.number)
-            || event.number < 1.0 || event.number > largest)
+        if (event.type != Token::Number || !isIdNumber(event.number, largest))
             return flaw(std::string(idRule) + ", not " + shown(event, m_text));
         id = Id{std::uint32_t(event.number)};
         return true;
@@ -181,13 +194,12 @@ private:
         const std::optional<JsonMember> type = findMember(m_text, begin, "type");
         if (!type)
             return flaw("has no \"type\"; give it one of " + itemTypeList());
-        const auto kind = type->type == Token::Text ? itemKind(type->text) : std::nullopt;
-        if (type->type != Token::Error && !kind) {
-            const std::string_view near = nearest(type->text, itemTypes());
-            return flawAt(type->end,
-                          "must be one of " + itemTypeList()
-                              + (near.empty() ? "" : "; did you mean " + quoted(near) + "?"));
-        }
+        const bool isText = type->type == Token::Text && !type->text.empty();
+        const auto kind = isText ? itemKind(type->text) : std::nullopt;
+        if (isText && !kind && !kindFromName(type->text))
+            return beginUnknownItem(event, type->text);
+        if (type->type != Token::Error && !kind)
+            return flawAt(type->end, "must be one of " + itemTypeList());
         // A broken text is told of when the walk gets there.
         Scene& scene = m_draft.scene;
         scene.items.push_back({noId, itemOf(kind.value_or(Kind::Part))});
@@ -195,6 +207,38 @@ private:
             std::visit([](auto& item) -> Ref { return &item; }, scene.items.back().item);
         m_records.push_back({kindOf(asConst(ref)), ref, begin});
         return enter(In::Record);
+    }
+
+    // What a later version may have written is kept as it is.
+    bool beginUnknownItem(const JsonEvent& event, const std::string& type)
+    {
+        const std::size_t begin = event.end - 1;
+        const std::optional<JsonMember> id = findMember(m_text, begin, "id");
+        if (!id)
+            return flawAt(begin + 1, std::string(noIdRule));
+        const bool isId = id->type == Token::Number && isIdNumber(id->number, largestId);
+        if (id->type != Token::Error && !isId)
+            return flawAt(id->end, std::string(idRule));
+        Scene& scene = m_draft.scene;
+        const Id after = scene.items.empty() ? noId : scene.items.back().id;
+        const Id own{isId ? std::uint32_t(id->number) : 0};
+        scene.unknownItems.push_back({own, after, type, {}});
+        m_draft.written.push_back({own, std::nullopt, begin});
+        m_unknown.start(scene.unknownItems.back().text);
+        m_isInUnknownItem = true;
+        return keep(event);
+    }
+
+    // What is not understood. Ids within an item are not given to others.
+    bool keep(const JsonEvent& event)
+    {
+        if (m_isInUnknownItem && m_isAtId && event.type == Token::Number
+            && isIdNumber(event.number, largestId))
+            takeAbove(Id{std::uint32_t(event.number)});
+        m_isAtId = event.type == Token::Key && event.text == "id";
+        m_unknown.add(event, m_text);
+        m_isInUnknownItem &= m_unknown.active();
+        return true;
     }
 
     bool inTable(const JsonEvent& event)
@@ -268,8 +312,7 @@ private:
     {
         Scene& scene = m_draft.scene;
         if (record.id == noId)
-            return flawAt(record.begin + 1, "has no \"id\"; give it a whole number that nothing "
-                                            "else in the file has");
+            return flawAt(record.begin + 1, std::string(noIdRule));
         if (!record.unknown.empty())
             scene.unknown[record.id] = "{" + record.unknown + "}";
         switch (record.kind) {
@@ -410,6 +453,8 @@ private:
 
     // keys that this version does not know
     JsonCapture m_unknown;
+    bool m_isInUnknownItem = false; // what is kept is an item, or in one
+    bool m_isAtId = false;          // and the key before was "id"
     std::string m_fileUnknown;
 };
 

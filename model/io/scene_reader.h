@@ -16,8 +16,10 @@ namespace ripstop {
 struct Written
 {
     Id id;
-    Kind kind;
+    std::optional<Kind> kind; // nothing for an item of a type that is not known
     std::size_t begin;
+
+    std::string_view name() const { return kind ? kindName(*kind) : "item of an unknown type"; }
 };
 
 // What is wrong, as a sentence without its place, at the event with this `end`.

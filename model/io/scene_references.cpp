@@ -32,7 +32,7 @@ public:
         if (twice != m_written.end())
             return Flaw{endOfMember(m_text, (twice + 1)->begin, "id", 0),
                         "is used twice: " + number(twice->id) + " is also the id of the "
-                            + std::string(kindName(twice->kind)) + " in line "
+                            + std::string(twice->name()) + " in line "
                             + std::to_string(placeOf(m_text, twice->begin + 1).line)
                             + "; give one of the two another id"};
         for (const Entry& entry : m_scene.items) {
@@ -83,9 +83,9 @@ private:
             note(holder, property.key, index,
                  "points at " + number(id)
                      + ", which does not exist; write the id of an existing thing or remove it");
-        else if (!property.pointsAt.contains(found->kind))
+        else if (found->kind && !property.pointsAt.contains(*found->kind)) // check.h knows the rest
             note(holder, property.key, index,
-                 "points at " + number(id) + ", which is a " + std::string(kindName(found->kind))
+                 "points at " + number(id) + ", which is a " + std::string(found->name())
                      + "; write the id of " + wanted(property));
     }
 

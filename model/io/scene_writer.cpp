@@ -36,11 +36,16 @@ public:
         addUnknown(settingsId);
         m_text += m_first ? "}" : "\n  }";
         m_text += ",\n  \"items\": [";
+        m_first = true;
+        addUnknownItems([](Id after) { return after == noId; });
         for (const Entry& entry : m_scene.items) {
-            m_text += &entry == m_scene.items.data() ? "\n    {" : ",\n    {";
+            beginItem();
             addItem(entry);
+            m_first = false;
+            addUnknownItems([&](Id after) { return after == entry.id; });
         }
-        m_text += m_scene.items.empty() ? "]" : "\n  ]";
+        addUnknownItems([&](Id after) { return after != noId && !findItem(m_scene, after); });
+        m_text += m_first ? "]" : "\n  ]";
         open(",\n  ");
         addUnknown(noId);
         m_text += "\n}\n";
@@ -89,8 +94,26 @@ private:
         m_text.append(found->second, 1, found->second.size() - 2);
     }
 
+    void beginItem()
+    {
+        m_text += m_first ? "\n    " : ",\n    ";
+        m_first = false;
+    }
+
+    // Those behind an item that fits; what was behind a removed one is written last.
+    template <typename Fits>
+    void addUnknownItems(Fits fits)
+    {
+        for (const UnknownItem& item : m_scene.unknownItems)
+            if (fits(item.after)) {
+                beginItem();
+                m_text += item.text;
+            }
+    }
+
     void addItem(const Entry& entry)
     {
+        m_text += '{';
         const ConstRef ref =
             std::visit([](const auto& item) -> ConstRef { return &item; }, entry.item);
         open(itemIndent);

@@ -20,6 +20,18 @@ struct Entry
     friend bool operator==(const Entry&, const Entry&) = default;
 };
 
+// An item of a type that this version does not know. It does nothing, and stands here to be written
+// back by the next save: as it was, behind the same item.
+struct UnknownItem
+{
+    Id id{};
+    Id after{};       // the known item before it; noId: it is before the first
+    std::string type; // as the file calls it
+    std::string text; // its JSON object
+
+    friend bool operator==(const UnknownItem&, const UnknownItem&) = default;
+};
+
 // The folder that the files of a scene are seen from: that of the scene file, or the working
 // directory when there is none. Where a scene lies is not part of what it is.
 struct Folder
@@ -33,11 +45,12 @@ struct Folder
 struct Scene
 {
     Settings settings;
-    std::vector<Entry> items;          // in the author's order
-    Id nextId{1};                      // above every id ever used
-    std::map<Id, std::string> unknown; // JSON objects with the keys that this version does not
-                                       // know, kept for the next save; noId for the file itself
-    Folder folder;                     // not saved
+    std::vector<Entry> items;              // in the author's order
+    std::vector<UnknownItem> unknownItems; // likewise
+    Id nextId{1};                          // above every id ever used
+    std::map<Id, std::string> unknown;     // JSON objects with the keys that this version does not
+                                           // know, kept for the next save; noId for the file itself
+    Folder folder;                         // not saved
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };

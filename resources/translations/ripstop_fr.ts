@@ -420,6 +420,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>%1: %2 points at %3 of the type %4, which this version does not know; choose another or remove it.</source>
+        <translation>%1 : %2 désigne %3, de la sorte %4, que cette version ne connaît pas ; en choisir un autre ou le retirer.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>%1: %2 points at %3, which is a %4.</source>
         <translation>%1 : %2 désigne %3, qui est de la sorte : %4.</translation>
     </message>
@@ -2920,13 +2925,13 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
-        <source>its kind of colour is not known</source>
-        <translation>sa sorte de couleur n’est pas connue</translation>
+        <source>it has too few bytes for %1 x %2 points; fewer points, or a PGM, would do</source>
+        <translation>il a trop peu d’octets pour %1 x %2 points ; moins de points, ou un PGM, conviendraient</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
-        <source>it has too few bytes for %1 x %2 points; fewer points, or a PGM, would do</source>
-        <translation>il a trop peu d’octets pour %1 x %2 points ; moins de points, ou un PGM, conviendraient</translation>
+        <source>its kind of colour is not known</source>
+        <translation>sa sorte de couleur n’est pas connue</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
@@ -14824,6 +14829,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="typed_number.cpp"/>
         <source>must be in %1</source>
         <translation>doit être en %1</translation>
+    </message>
+    <message>
+        <location filename="unknown_items.cpp"/>
+        <source>Item %1 is of the type %2, which this version does not know; it is kept as it is and does nothing.</source>
+        <translation>L’élément %1 est de la sorte %2, que cette version ne connaît pas ; il est gardé tel quel et ne fait rien.</translation>
     </message>
     <message>
         <location filename="value.cpp"/>

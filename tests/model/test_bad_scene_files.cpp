@@ -80,7 +80,12 @@ private slots:
         row("a builder's parameter as text", withPart("\"parameters\": {\"span\":\n\"wide\"}"), 6, "items[0].parameters.span", {"must be a number, not \"wide\""});
 
         row("an item without a type", withItems("{\"id\": 1}"), 4, "items[0]", {"has no \"type\"", "part, material"});
-        row("an unknown type", withItems("{\"id\": 1,\n\"type\": \"materal\"}"), 5, "items[0].type", {"must be one of part", "did you mean \"material\"?"});
+        row("a type that is a number", withItems("{\"id\": 1,\n\"type\": 3}"), 5, "items[0].type", {"must be one of part"});
+        row("a type without a letter", withItems("{\"id\": 1,\n\"type\": \"\"}"), 5, "items[0].type", {"must be one of part"});
+        row("an unknown item without an id", withItems("{\"type\": \"sail\"}"), 4, "items[0]", {"has no \"id\""});
+        row("an unknown item with a text as id", withItems("{\"type\": \"sail\",\n\"id\": \"7\"}"), 5, "items[0].id", {"from 1 to 4000000000"});
+        row("the id of an unknown item twice", withItems("{\"type\": \"sail\", \"id\": 7},\n{\"type\": \"wind\", \"id\": 7}"), 5, "items[1].id", {"is used twice", "item of an unknown type in line 4"});
+        row("an unknown item that breaks off", withItems("{\"type\": \"sail\", \"id\": 7,\n\"a\": [1}"), 5, "items[0].a", {"is not JSON"});
         row("an element as an item", withItems("{\"id\": 1, \"type\": \"particle\"}"), 4, "items[0].type", {"must be one of part"});
         row("an item that is a number", withItems("7"), 4, "items[0]", {"must be an object"});
         row("items that are no list", withItems("").replace("[", "{").replace("]", "}"), 3, "items", {"must be a list"});
