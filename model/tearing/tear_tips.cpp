@@ -164,7 +164,7 @@ void TearTips::addTip(const System& system, const State& state, int particle)
 {
     const auto sortOnce = [](std::vector<int>& numbers) {
         std::ranges::sort(numbers);
-        numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     };
     std::vector<int> moved{particle}; // particles that are set on with it
     for (const int panel : panelsHere(system, state, particle))
