@@ -32,6 +32,7 @@ constexpr int nearBand = 3;     // px, of the mouse
 Chart::Chart(QWidget* parent)
     : QWidget(parent)
     , m_plot(makePlot(*this))
+    , m_margins(new QCPMarginGroup(m_plot))
 {
     m_plot->setNoAntialiasingOnDrag(true);
     m_plot->addLayer(cursorLayer);
@@ -141,11 +142,8 @@ void Chart::addStrip(const QString& unit)
     });
     m_strips.push_back(std::move(strip));
     if (m_strips.size() > 1) { // the value axes stand below each other
-        QCPMarginGroup* group = m_strips.front().rect->marginGroup(QCP::msLeft);
-        if (!group)
-            group = new QCPMarginGroup(m_plot);
-        m_strips.front().rect->setMarginGroup(QCP::msLeft | QCP::msRight, group);
-        m_strips.back().rect->setMarginGroup(QCP::msLeft | QCP::msRight, group);
+        m_strips.front().rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
+        m_strips.back().rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
     }
 }
 

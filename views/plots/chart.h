@@ -28,6 +28,7 @@ class QCPAxis;
 class QCPAxisRect;
 class QCPGraph;
 class QCPLegend;
+class QCPMarginGroup;
 class QCPRange;
 class QCustomPlot;
 
@@ -147,6 +148,7 @@ private:
     void hover(const QPointF& place);
 
     QCustomPlot* m_plot;
+    QCPMarginGroup* m_margins; // of all strips; a plot keeps each that it ever had
     std::vector<Curve> m_curves;
     std::vector<QCPGraph*> m_graphs; // [curves]
     std::vector<EarlierRun> m_earlier;
