@@ -1,8 +1,8 @@
 #include "cli/scene_input.h"
 
+#include "check/unknown_items.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
-#include "scene/unknown_items.h"
 #include "terminal/terminal.h"
 
 #include <charconv>

@@ -13,14 +13,11 @@
 #include "check/elastic_check.h"
 #include "check/step_limits.h"
 #include "check/tear_check.h"
+#include "check/unknown_items.h"
 #include "derived/canopy_shape.h"
 #include "derived/collider_shape.h"
 #include "derived/formula.h"
 #include "scene/element_index.h"
-#include "scene/formula.h"
-#include "scene/step_limits.h"
-#include "scene/tear_check.h"
-#include "scene/unknown_items.h"
 
 #include <algorithm>
 #include <cctype>

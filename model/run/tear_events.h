@@ -8,7 +8,7 @@
 // craft is another. Computed of what a frame has, on any thread.
 #pragma once
 
-#include "run/frame.h"
+#include "simulation/frame.h"
 
 #include <span>
 #include <vector>

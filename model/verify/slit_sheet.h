@@ -5,7 +5,7 @@
 // edges.
 #pragma once
 
-#include "run/simulation.h"
+#include "simulation/simulation.h"
 #include "verify/flat_cloth.h"
 
 namespace ripstop {

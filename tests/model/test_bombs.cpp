@@ -9,8 +9,8 @@
 #include "bundle/bundle.h"
 #include "bundle/zip_file.h"
 #include "io/recording_file.h"
-#include "run/run_chunk.h"
-#include "run/run_fields.h"
+#include "recording/run_chunk.h"
+#include "recording/run_fields.h"
 #include "shapes/height_picture.h"
 
 #include "files.h"

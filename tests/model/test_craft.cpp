@@ -6,9 +6,9 @@
 #include "model/sample_scenes.h"
 
 #include "builders/builder.h"
+#include "derived/tear_bounds.h"
 #include "materials/presets.h"
 #include "measure/diagnostics.h"
-#include "scene/tear_bounds.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>

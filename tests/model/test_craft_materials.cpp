@@ -5,12 +5,10 @@
 // mass is summed up by hand, flown at two resolutions and of every cloth.
 #include "builders/craft_materials.h"
 #include "check/check.h"
+#include "check/strength_gaps.h"
 #include "derived/cloth_area.h"
 #include "materials/presets.h"
 #include "model/sample_scenes.h"
-#include "scene/check.h"
-#include "scene/cloth_area.h"
-#include "scene/strength_gaps.h"
 
 #include <QtTest>
 

@@ -6,14 +6,11 @@
 // and the glider.
 #include "builders/builder.h"
 #include "check/check.h"
+#include "check/strength_gaps.h"
 #include "derived/cloth_area.h"
 #include "derived/flat_panel.h"
 #include "materials/presets.h"
 #include "model/sample_scenes.h"
-#include "scene/check.h"
-#include "scene/cloth_area.h"
-#include "scene/flat_panel.h"
-#include "scene/strength_gaps.h"
 
 #include <QtTest>
 

@@ -6,9 +6,9 @@
 #include "model/files.h"
 #include "model/scene_texts.h"
 
+#include "check/check.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
-#include "scene/check.h"
 #include "scene/property.h"
 
 #include <QFile>

@@ -4,7 +4,6 @@
 // table is written, and refused where nothing can be written.
 #include "compile/compile.h"
 #include "io/tear_table.h"
-#include "run/simulation.h"
 #include "run/tear_events.h"
 #include "run/tear_report.h"
 #include "simulation/simulation.h"

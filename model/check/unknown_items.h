@@ -1,8 +1,8 @@
 // Items of types that this version does not know: they are named where problems are, and kept.
 #pragma once
 
-#include "scene/finding.h"
-#include "scene/tear_check.h"
+#include "check/finding.h"
+#include "check/tear_check.h"
 
 namespace ripstop {
 

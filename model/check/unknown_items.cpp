@@ -1,4 +1,4 @@
-#include "scene/unknown_items.h"
+#include "check/unknown_items.h"
 
 #include <algorithm>
 
