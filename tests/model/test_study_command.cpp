@@ -121,6 +121,18 @@ private slots:
         QCOMPARE(call({"study", "merge", study}).out.count('\n'), 4);
     }
 
+    void shippedStudiesCanBeFlown()
+    {
+        const QDir scenes(SCENES_DIR);
+        const QStringList studies = scenes.entryList({"*.ripstop-study.json"}, QDir::Files);
+        QVERIFY(!studies.isEmpty());
+        for (const QString& study : studies) {
+            const Outcome told = call({"study", "status", scenes.filePath(study), "--json"});
+            QVERIFY2(told.exitCode == 0, qPrintable(told.error));
+            QVERIFY(told.json()["points"].toInt() > 1);
+        }
+    }
+
     void refusals()
     {
         const Folder folder;
