@@ -1,3 +1,5 @@
+// In order: options that commands share; what --set changes; saving what can be read again; and the
+// scene of a command, with what this version does not know of it.
 #include "cli/scene_input.h"
 
 #include "check/unknown_items.h"
@@ -5,11 +7,17 @@
 #include "scene/path.h"
 #include "terminal/terminal.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
 
 namespace ripstop {
+namespace {
+
+constexpr std::size_t mostNamed = 20; // items, one in a line
+
+} // namespace
 
 void addSceneOption(CLI::App& command, SceneInput& input)
 {
@@ -79,8 +87,13 @@ SceneOutcome loadScene(const SceneInput& input)
     Result<Scene> scene = readScene(input.file);
     if (!scene)
         return {std::nullopt, fail(BadInput, scene.message())};
-    for (const UnknownItem& item : scene->unknownItems)
-        std::cerr << "ripstop-cli: " << input.file << ": " << unknownText(item).english() << '\n';
+    const std::vector<UnknownItem>& unknown = scene->unknownItems;
+    for (std::size_t i = 0; i < std::min(unknown.size(), mostNamed); ++i)
+        std::cerr << "ripstop-cli: " << input.file << ": " << unknownText(unknown[i]).english()
+                  << '\n';
+    if (unknown.size() > mostNamed)
+        std::cerr << "ripstop-cli: " << input.file << ": so are " << unknown.size() - mostNamed
+                  << " other items of types that this version does not know.\n";
     if (const auto failure = assign(*scene, input.assignments))
         return {std::nullopt, fail(WrongUsage, failure->message)};
     return {std::move(*scene), Done};

@@ -168,7 +168,7 @@ private:
                 continue;
             const auto check = [&](Id id) {
                 const std::optional<Kind> found = m_index.kindOf(id);
-                if (found && property.pointsAt.contains(*found))
+                if ((found && property.pointsAt.contains(*found)) || m_count["dangling"] >= m_most)
                     return;
                 const Message name = named(kindOf(ref), holder);
                 const auto number = std::uint32_t(id);

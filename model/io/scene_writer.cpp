@@ -8,7 +8,9 @@
 #include "scene/property.h"
 
 #include <array>
+#include <map>
 #include <optional>
+#include <vector>
 
 namespace ripstop {
 namespace {
@@ -24,6 +26,8 @@ public:
     {
         for (int i = 0; i < kindCount; ++i)
             m_properties[std::size_t(i)] = propertiesOf(Kind(i));
+        for (const UnknownItem& item : scene.unknownItems)
+            m_unknownItems[item.after].push_back(&item);
     }
 
     std::string text()
@@ -37,14 +41,15 @@ public:
         m_text += m_first ? "}" : "\n  }";
         m_text += ",\n  \"items\": [";
         m_first = true;
-        addUnknownItems([](Id after) { return after == noId; });
+        addUnknownItems(noId);
         for (const Entry& entry : m_scene.items) {
             beginItem();
             addItem(entry);
             m_first = false;
-            addUnknownItems([&](Id after) { return after == entry.id; });
+            addUnknownItems(entry.id);
         }
-        addUnknownItems([&](Id after) { return after != noId && !findItem(m_scene, after); });
+        for (const UnknownItem& item : m_scene.unknownItems) // behind items that are gone
+            addUnknownItems(item.after);
         m_text += m_first ? "]" : "\n  ]";
         open(",\n  ");
         addUnknown(noId);
@@ -100,15 +105,17 @@ private:
         m_first = false;
     }
 
-    // Those behind an item that fits; what was behind a removed one is written last.
-    template <typename Fits>
-    void addUnknownItems(Fits fits)
+    // Those behind this item, once.
+    void addUnknownItems(Id after)
     {
-        for (const UnknownItem& item : m_scene.unknownItems)
-            if (fits(item.after)) {
-                beginItem();
-                m_text += item.text;
-            }
+        const auto found = m_unknownItems.find(after);
+        if (found == m_unknownItems.end())
+            return;
+        for (const UnknownItem* item : found->second) {
+            beginItem();
+            m_text += item->text;
+        }
+        m_unknownItems.erase(found);
     }
 
     void addItem(const Entry& entry)
@@ -179,6 +186,7 @@ private:
     const Scene& m_scene;
     std::optional<std::filesystem::path> m_folder; // of the file that this is the text of
     std::array<std::span<const Property>, kindCount> m_properties;
+    std::map<Id, std::vector<const UnknownItem*>> m_unknownItems; // not written yet
     std::string m_text;
     std::string_view m_indent; // before the members of the object at hand
     bool m_first = true;
