@@ -23,7 +23,7 @@ const std::array<Ties, 4> allTies{Ties(), Ties(Solver::AveragedJacobi), Ties(Sol
 
 std::string nameOfTies(const Ties& ties)
 {
-    return ties ? "rods, " + ripstop::nameOfTies(*ties) : std::string("springs");
+    return ties ? "rods, " + nameOf(*ties) : std::string("springs");
 }
 
 // A patch of 5 x 5 particles, 0.1 m apart and a little bent, with fabric on it, in a light wind:

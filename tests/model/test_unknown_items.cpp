@@ -5,7 +5,7 @@
 #include "model/scene_texts.h"
 
 #include "io/scene_file.h"
-#include "scene/check.h"
+#include "check/check.h"
 
 #include <QtTest>
 
