@@ -415,13 +415,13 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>%1: %2 points at %3, which does not exist; choose another or remove it.</source>
-        <translation>%1 : %2 désigne %3, qui n’existe pas ; en choisir un autre ou le retirer.</translation>
+        <source>%1: %2 points at %3 of the type %4, which this version does not know; choose another or remove it.</source>
+        <translation>%1 : %2 désigne %3, de la sorte %4, que cette version ne connaît pas ; en choisir un autre ou le retirer.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>%1: %2 points at %3 of the type %4, which this version does not know; choose another or remove it.</source>
-        <translation>%1 : %2 désigne %3, de la sorte %4, que cette version ne connaît pas ; en choisir un autre ou le retirer.</translation>
+        <source>%1: %2 points at %3, which does not exist; choose another or remove it.</source>
+        <translation>%1 : %2 désigne %3, qui n’existe pas ; en choisir un autre ou le retirer.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -2910,6 +2910,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
+        <source>it has too few bytes for %1 x %2 points; fewer points, or a PGM, would do</source>
+        <translation>il a trop peu d’octets pour %1 x %2 points ; moins de points, ou un PGM, conviendraient</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
         <source>it is %1 x %2 points, and 2 x 2 to 8192 x 8192 are possible</source>
         <translation>elle a %1 x %2 points, et de 2 x 2 à 8192 x 8192 sont possibles</translation>
     </message>
@@ -2922,11 +2927,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="height_picture.cpp"/>
         <source>it is neither a PNG nor a PGM</source>
         <translation>ce n’est ni un PNG ni un PGM</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>it has too few bytes for %1 x %2 points; fewer points, or a PGM, would do</source>
-        <translation>il a trop peu d’octets pour %1 x %2 points ; moins de points, ou un PGM, conviendraient</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
@@ -5489,6 +5489,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Fixer</translation>
     </message>
     <message>
+        <location filename="pin.cpp"/>
+        <source>Unpin</source>
+        <translation>Libérer</translation>
+    </message>
+    <message>
         <location filename="place_form.cpp"/>
         <source>%1 must be a number of metres, not "%2".</source>
         <translation>%1 doit être un nombre de mètres, et non « %2 ».</translation>
@@ -5547,6 +5552,31 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="place_form.cpp"/>
         <source>Where the builder has it</source>
         <translation>Là où le générateur le met</translation>
+    </message>
+    <message>
+        <location filename="plan.cpp"/>
+        <source>%1 has no column that is called %2; its first line names the variables of the study.</source>
+        <translation>%1 n’a pas de colonne appelée %2 ; sa première ligne nomme les variables de l’étude.</translation>
+    </message>
+    <message>
+        <location filename="plan.cpp"/>
+        <source>%1 has no points; its first line names the variables.</source>
+        <translation>%1 n’a pas de points ; sa première ligne nomme les variables.</translation>
+    </message>
+    <message>
+        <location filename="plan.cpp"/>
+        <source>%1: row %2 has no value for %3.</source>
+        <translation>%1 : la ligne %2 n’a pas de valeur pour %3.</translation>
+    </message>
+    <message>
+        <location filename="plan.cpp"/>
+        <source>A plan of Sobol' has up to %1 variables, and this study %2; take latin_hypercube.</source>
+        <translation>Un plan de Sobol a jusqu’à %1 variables, et cette étude %2 ; prendre latin_hypercube.</translation>
+    </message>
+    <message>
+        <location filename="plan.cpp"/>
+        <source>The plan has %1 points; a study has up to %2.</source>
+        <translation>Le plan a %1 points ; une étude en a jusqu’à %2.</translation>
     </message>
     <message>
         <location filename="plot_arrangement.cpp"/>
@@ -6407,11 +6437,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="remedy.cpp"/>
         <source>Tear by strength</source>
         <translation>Déchirer selon la résistance</translation>
-    </message>
-    <message>
-        <location filename="remedy.cpp"/>
-        <source>Unpin</source>
-        <translation>Libérer</translation>
     </message>
     <message>
         <location filename="replay.cpp"/>
@@ -8135,6 +8160,81 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="strip_widths.cpp"/>
         <source>Widths from the mesh</source>
         <translation>Largeurs du maillage</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1 = "%2"; it is one of %3</source>
+        <translation>a %1 = « %2 » ; c’est l’un de %3</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which does not lead upwards, or not from above 0 where its scale is log</source>
+        <translation>a %1, qui ne monte pas, ou pas d’au-dessus de 0 alors que son échelle est log</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which is neither a number nor a text</source>
+        <translation>a %1, qui n’est ni un nombre ni un texte</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which is neither true nor false</source>
+        <translation>a %1, qui n’est ni true ni false</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which is no list in brackets</source>
+        <translation>a %1, qui n’est pas une liste entre crochets</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which is no number from %2 to %3</source>
+        <translation>a %1, qui n’est pas un nombre de %2 à %3</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which is no object in braces</source>
+        <translation>a %1, qui n’est pas un objet entre accolades</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which is no text in quotation marks</source>
+        <translation>a %1, qui n’est pas un texte entre guillemets</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, which means nothing to this version</source>
+        <translation>a %1, qui ne dit rien à cette version</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has %1, whose low, mode and high do not rise</source>
+        <translation>a %1, dont low, mode et high ne montent pas</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has a plan that goes through values, and the variable %1 has none; give it "values", or "from", "to" and "count"</source>
+        <translation>a un plan qui parcourt des valeurs, et la variable %1 n’en a pas ; lui donner « values », ou « from », « to » et « count »</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has no %1</source>
+        <translation>n’a pas de %1</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has two variables that are called %1</source>
+        <translation>a deux variables appelées %1</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>is no study</source>
+        <translation>n’est pas une étude</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>was written by another version of Ripstop; use that</source>
+        <translation>a été écrit par une autre version de Ripstop ; utiliser celle-ci</translation>
     </message>
     <message>
         <location filename="subject.cpp"/>
