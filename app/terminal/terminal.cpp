@@ -99,7 +99,8 @@ bool interrupted() { return signalSeen != 0; }
 ProgressLine::ProgressLine(std::string label)
     : m_label(std::move(label))
     , m_visible(::isatty(STDERR_FILENO) == 1)
-    , m_next(std::chrono::steady_clock::now())
+    , m_began(std::chrono::steady_clock::now())
+    , m_next(m_began)
 {}
 
 ProgressLine::~ProgressLine()
@@ -116,8 +117,15 @@ void ProgressLine::show(double share)
     if (now < m_next)
         return;
     m_next = now + std::chrono::milliseconds(100);
-    std::fprintf(stderr, "\r\033[K%s %3.0f %%", m_label.c_str(),
-                 100.0 * std::clamp(share, 0.0, 1.0));
+    share = std::clamp(share, 0.0, 1.0);
+    std::fprintf(stderr, "\r\033[K%s %3.0f %%", m_label.c_str(), 100.0 * share);
+    // What is left, at the pace so far; at first nobody knows.
+    const double taken = std::chrono::duration<double>(now - m_began).count(); // s
+    const double left = share > 0.0 ? taken * (1.0 - share) / share : 0.0;     // s
+    if (taken > 5.0 && left >= 120.0)
+        std::fprintf(stderr, ", %.0f min left", left / 60.0);
+    else if (taken > 5.0)
+        std::fprintf(stderr, ", %.0f s left", left);
     std::fflush(stderr);
 }
 

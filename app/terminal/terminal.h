@@ -48,7 +48,8 @@ std::string shortNumber(double number);
 void catchInterrupt();
 bool interrupted();
 
-// A line on standard error that says how far the work is, when that is a terminal.
+// A line on standard error that says how far the work is and how long it will still take, when that
+// is a terminal.
 class ProgressLine
 {
 public:
@@ -62,6 +63,7 @@ public:
 private:
     std::string m_label;
     bool m_visible;
+    std::chrono::steady_clock::time_point m_began;
     std::chrono::steady_clock::time_point m_next;
 };
 

@@ -4,8 +4,8 @@
 // points at one.
 #include "model/scene_texts.h"
 
-#include "io/scene_file.h"
 #include "check/check.h"
+#include "io/scene_file.h"
 
 #include <QtTest>
 
