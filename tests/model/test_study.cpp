@@ -8,6 +8,10 @@
 #include "study/plan.h"
 #include "study/study.h"
 
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QtTest>
 
 #include <fstream>
@@ -189,6 +193,51 @@ private slots:
         const auto again = studyOf(written);
         QVERIFY2(again, again ? "" : again.message().english().c_str());
         QCOMPARE(studyText(*again), written);
+    }
+
+    // The schema names the choices that there are, and every field that a study writes.
+    void schemaKnowsAll()
+    {
+        QFile file(SOURCE_DIR "/docs/ripstop-study.schema.json");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonObject top = QJsonDocument::fromJson(file.readAll()).object();
+        const auto fieldsOfList = [&](const char* list) {
+            return top["properties"][list]["items"]["properties"].toObject();
+        };
+        const auto choices = [](const QJsonValue& field) {
+            std::vector<std::string> all;
+            for (const QJsonValue& one : field["enum"].toArray())
+                all.push_back(one.toString().toStdString());
+            return all;
+        };
+        const auto same = [](const auto& names, const std::vector<std::string>& found) {
+            return std::ranges::equal(names, found, {},
+                                      [](const auto& name) { return std::string(name); });
+        };
+        QVERIFY(same(choiceNames<StudyPlan::Kind>,
+                     choices(top["properties"]["plan"]["properties"]["kind"])));
+        QVERIFY(same(choiceNames<Reduction>, choices(fieldsOfList("measures")["reduction"])));
+
+        Study study = studyWith({StudyPlan::Kind::Sobol, 4, 2, "f"}, {{"v", {"a"}, {"1"}, {}}});
+        study.title = study.controls = "x";
+        study.untilTear = true;
+        study.measures = {{"p", Reduction::Percentile, 5.0, 1.0, 2.0}};
+        using Kind = Distribution::Kind;
+        for (const Kind kind : {Kind::Uniform, Kind::Normal, Kind::LogNormal, Kind::Triangular})
+            study.variables.push_back(drawn("d", {kind, 1.0, 3.0, 2.0}));
+        study.variables.push_back({"r", {"a"}, {"1", "2"}, Distribution{Kind::Log, 1.0, 2.0}});
+        const QJsonObject written =
+            QJsonDocument::fromJson(QByteArray::fromStdString(studyText(study))).object();
+        const auto isKnown = [](const QJsonObject& object, const QJsonObject& fields) {
+            return std::ranges::all_of(object.keys(),
+                                       [&](const QString& key) { return fields.contains(key); });
+        };
+        QVERIFY(isKnown(written, top["properties"].toObject()));
+        QVERIFY(isKnown(written["plan"].toObject(),
+                        top["properties"]["plan"]["properties"].toObject()));
+        for (const char* list : {"variables", "measures"})
+            for (const QJsonValue& one : written[list].toArray())
+                QVERIFY2(isKnown(one.toObject(), fieldsOfList(list)), list);
     }
 
     void whatIsWrongIsNamed_data()
