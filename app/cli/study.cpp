@@ -128,8 +128,7 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
     return Done;
 }
 
-// --- status and merge
-// -----------------------------------------------------------------------------
+// --- status and merge ---------------------------------------------------------------------------
 
 int status(const std::string& file, bool json)
 {
@@ -224,8 +223,7 @@ int merge(const std::string& file, const std::string& output)
     return Done;
 }
 
-// --- new and slurm
-// --------------------------------------------------------------------------------
+// --- new and slurm ------------------------------------------------------------------------------
 
 struct NewOptions
 {

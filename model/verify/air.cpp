@@ -70,8 +70,7 @@ void addTerminals(std::vector<Case>& cases)
              }});
 }
 
-// --- A3, A4: bodies in wind along the axis
-// ---------------------------------------------------------
+// --- A3, A4: bodies in wind along the axis -------------------------------------------------------
 
 // Drag coefficient on pi R^2 of a surface of revolution about x with radius 1: `profile` gives
 // (x, r) for s from 0 to 1, in rings and sectors; the first ring may be a point.

@@ -63,8 +63,7 @@ Plate plate(const Material& material, double angle) // degrees
             c.y() * std::sin(alpha) + c.x() * std::cos(alpha)};
 }
 
-// --- A2, A5 to A7
-// ------------------------------------------------------------------------------------
+// --- A2, A5 to A7 --------------------------------------------------------------------------------
 
 struct Worst
 {
@@ -159,8 +158,7 @@ void addSymmetries(std::vector<Case>& cases)
     }
 }
 
-// --- plates at all angles
-// ----------------------------------------------------------------------------
+// --- plates at all angles ------------------------------------------------------------------------
 
 void addPlateLaws(std::vector<Case>& cases)
 {
@@ -199,8 +197,7 @@ void addPlateLaws(std::vector<Case>& cases)
     }
 }
 
-// --- porous cloth
-// --------------------------------------------------------------------------------------
+// --- porous cloth --------------------------------------------------------------------------------
 
 // 0.3 kg on 0.5 m^2 that falls flat, C 1.4, m/s.
 double porousDescent(double porosity)
@@ -239,8 +236,7 @@ void addPorous(std::vector<Case>& cases)
     }
 }
 
-// --- lines
-// -----------------------------------------------------------------------------------------------
+// --- lines ---------------------------------------------------------------------------------------
 
 Vec3 leaning(double angle) // N, 3 m at this angle to 7 m/s, Cd d 2 mm, degrees
 {

@@ -41,8 +41,7 @@ System lattice(int columns, int rows, double mass)
     return system;
 }
 
-// --- M1 by a pull
-// ---------------------------------------------------------------------------------
+// --- M1 by a pull --------------------------------------------------------------------------------
 
 struct Pull
 {
@@ -94,8 +93,7 @@ Pull pull(Stepping stepping)
     return {force / rowHeight / along, -across / along};
 }
 
-// --- M1 by energy
-// ---------------------------------------------------------------------------------
+// --- M1 by energy --------------------------------------------------------------------------------
 
 // Energy of a lattice that is strained by (xx, yy, xy), over the area of its springs, J/m^2. Each
 // direction is weighed alike, as in an endless lattice: each spring has a third of a node's area.
@@ -151,8 +149,7 @@ void addLattices(std::vector<Case>& cases)
                      [=] { return energyDensity(e, e, 0.0) / (2.0 * e * e); }});
 }
 
-// --- M7 to M9
-// -------------------------------------------------------------------------------------
+// --- M7 to M9 ------------------------------------------------------------------------------------
 
 // A square sheet of n x n cells, 1 m wide, in the xz plane from the edge z = 0, with both
 // diagonals.

@@ -133,8 +133,7 @@ void addDrops(std::vector<Case>& cases)
     }
 }
 
-// --- B2: ten seconds on the ground
-// -----------------------------------------------------------------
+// --- B2: ten seconds on the ground ---------------------------------------------------------------
 
 double restlessness(Response response) // m, the largest way in any direction, of all integrators
 {
@@ -157,8 +156,7 @@ double restlessness(Response response) // m, the largest way in any direction, o
     return most;
 }
 
-// --- B3: slopes
-// --------------------------------------------------------------------------------------
+// --- B3: slopes ----------------------------------------------------------------------------------
 
 struct Slide
 {
@@ -223,8 +221,7 @@ void addSlopes(std::vector<Case>& cases)
     }
 }
 
-// --- spheres, and what each response leaves
-// ----------------------------------------------------------
+// --- spheres, and what each response leaves ------------------------------------------------------
 
 double heightOn(const Obstacle& obstacle) // m, over the middle
 {

@@ -19,8 +19,7 @@
 namespace ripstop {
 namespace {
 
-// --- plates
-// ---------------------------------------------------------------------------------------
+// --- plates --------------------------------------------------------------------------------------
 
 // Lift and drag on 1 m^2 in a wind of 1 m/s at this angle of attack, over the dynamic pressure.
 struct Polar
@@ -133,8 +132,7 @@ void addPlates(std::vector<Case>& cases)
                      [=] { return leastSink([&](double a) { return polarOf(sail, a); }); }});
 }
 
-// --- designs that fly
-// -------------------------------------------------------------------------------
+// --- designs that fly ----------------------------------------------------------------------------
 
 // Of ideal cloth and rods, as in the papers.
 Simulation flying(const char* builder)

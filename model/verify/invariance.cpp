@@ -68,8 +68,7 @@ System patch(Integrator integrator, const Ties& ties, bool pinned)
     return system;
 }
 
-// --- C5 to C7: another frame
-// ------------------------------------------------------------------------
+// --- C5 to C7: another frame ---------------------------------------------------------------------
 
 // The patch of patch() seen from another frame; place() is where a particle should be at a time.
 struct OtherFrame
@@ -166,8 +165,7 @@ void addFrames(std::vector<Case>& cases)
                              [&frame, ties] { return gapOf(frame, ties); }});
 }
 
-// --- C1: forces inside
-// ------------------------------------------------------------------------------
+// --- C1: forces inside ---------------------------------------------------------------------------
 
 struct Inside
 {
@@ -222,8 +220,7 @@ void addInside(std::vector<Case>& cases)
     }
 }
 
-// --- C2: a free object
-// --------------------------------------------------------------------------------
+// --- C2: a free object ---------------------------------------------------------------------------
 
 Vec3 angularMomentum(const System& system, const State& state)
 {
@@ -281,8 +278,7 @@ void addFree(std::vector<Case>& cases)
     }
 }
 
-// --- C8: order of the whole step
-// ------------------------------------------------------------------------
+// --- C8: order of the whole step -----------------------------------------------------------------
 
 // The order of convergence, from the differences between runs of 0.2 s with dt, dt/2 and dt/4.
 double orderOf(Integrator integrator, const Ties& ties)

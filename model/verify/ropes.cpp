@@ -142,8 +142,7 @@ void addElasticRopes(std::vector<Case>& cases)
     }
 }
 
-// --- R5: fixed at one end, free at the other
-// ------------------------------------------------------
+// --- R5: fixed at one end, free at the other -----------------------------------------------------
 
 // 40 links with masses between and half a mass at the free end, let go in its lowest mode. The
 // frequency, Hz, from the times at which the free end passes its place.
@@ -184,8 +183,7 @@ double longitudinalMode(LinkKind kind, Stepping stepping)
     return passages.size() < 5 ? std::nan("") : 2.0 / (passages[4] - passages[0]);
 }
 
-// --- R6
-// -------------------------------------------------------------------------------------------
+// --- R6 ------------------------------------------------------------------------------------------
 
 double sagOver(double span) // m, of 10 m of rope
 {

@@ -89,8 +89,7 @@ void addTestStrips(std::vector<Case>& cases)
             add(0.0, cell, 1.0, solver);
 }
 
-// --- a slit
-// ---------------------------------------------------------------------------------------
+// --- a slit --------------------------------------------------------------------------------------
 
 void addSlitSheets(std::vector<Case>& cases)
 {
@@ -112,8 +111,7 @@ void addSlitSheets(std::vector<Case>& cases)
         }
 }
 
-// --- a spar
-// -----------------------------------------------------------------------------------------
+// --- a spar --------------------------------------------------------------------------------------
 
 // A rod of the library that is as long as to have its breaking moment at its clamp when
 // P L^2 / EI = 2: the load has come nearer to the clamp by 0.16064 L by then, so that

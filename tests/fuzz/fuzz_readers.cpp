@@ -155,8 +155,7 @@ void fuzzMaterials(std::string_view bytes)
            "materials that were written cannot be read");
 }
 
-// --- scenes, recordings, bundles
-// -------------------------------------------------------------------
+// --- scenes, recordings, bundles -----------------------------------------------------------------
 
 void fuzzScene(std::string_view bytes)
 {
