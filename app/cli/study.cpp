@@ -107,10 +107,11 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
     ProgressLine progress("study");
     forEachOfMany(points.size(), jobs, [&](std::size_t i) {
         const auto flight = flyPoint(*opened, points[i]);
+        const std::string key = opened->key(points[i]);
         const std::lock_guard lock(mutex);
         if (!flight || failure)
             return false;
-        failure = ledger->add(opened->key(points[i]), *flight);
+        failure = ledger->add(key, *flight);
         if (failure)
             return false;
         stopped += !flight->stopped.empty() || !flight->absurd.empty();
@@ -292,20 +293,32 @@ int newStudy(const NewOptions& options)
     return Done;
 }
 
+// For a shell, whatever is in the name.
+std::string quoted(const fs::path& path)
+{
+    std::string text = "'";
+    for (const char c : path.string())
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
 // A job array whose tasks fly a shard each. Slurm tells a task before its time is over; it ends in
 // order then, keeps what it has, and stands in the queue again.
 int slurm(const std::string& file, int tasks, const std::string& time)
 {
     if (const auto opened = openStudy(file); !opened)
         return fail(BadInput, opened.message());
-    const std::string study = fs::absolute(file).string();
-    const std::string folder = ledgerFolder(fs::absolute(file)).string();
-    const std::string program = fs::read_symlink("/proc/self/exe").string();
+    std::error_code error;
+    const fs::path place = fs::absolute(file, error);
+    const std::string study = quoted(place);
+    const std::string folder = ledgerFolder(place).string();
+    const fs::path self = fs::read_symlink("/proc/self/exe", error);
+    const std::string program = quoted(error ? fs::path("ripstop-cli") : self);
     std::cout << "#!/bin/bash\n"
                  "# Flies a study in shards: sbatch this file. When the array is done:\n"
-                 "#   ripstop-cli study merge '"
+                 "#   ripstop-cli study merge "
               << study
-              << "' -o TABLE.csv\n"
+              << " -o TABLE.csv\n"
                  "#SBATCH --job-name=ripstop-study\n"
                  "#SBATCH --array=1-"
               << tasks << "\n#SBATCH --time=" << time
@@ -317,8 +330,8 @@ int slurm(const std::string& file, int tasks, const std::string& time)
                  "#SBATCH --output="
               << folder
               << "-%a.log\n"
-                 "trap 'kill -TERM $flight' TERM\n'"
-              << program << "' study run '" << study << "' --shard $SLURM_ARRAY_TASK_ID/" << tasks
+                 "trap 'kill -TERM $flight' TERM\n"
+              << program << " study run " << study << " --shard $SLURM_ARRAY_TASK_ID/" << tasks
               << " --jobs ${SLURM_CPUS_PER_TASK:-1} &\n"
                  "flight=$!\n"
                  "wait $flight; code=$?\n"
@@ -356,7 +369,7 @@ void addNew(CLI::App& study, Command& chosen)
     command->add_option("--plan", options->plan, "How the points come from the values")
         ->check(CLI::IsMember(kinds));
     command->add_option("--count", options->count, "Points of a plan that draws them")
-        ->check(CLI::Range(std::int64_t(1), std::int64_t(100'000'000)));
+        ->check(CLI::Range(std::int64_t(1), std::int64_t(mostStudyPoints)));
     command->add_option("--seed", options->seed, "Of what is drawn");
     command->add_option("--seconds", options->seconds, "Simulated time of each flight, s")
         ->check(numberBetween(0.0, 1e9))

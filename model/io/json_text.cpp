@@ -95,6 +95,13 @@ void appendNumber(std::string& text, double number)
         text += ".0"; // "-0" would be read back as a whole number, which has no negative zero
 }
 
+std::string numberText(double number)
+{
+    std::string text;
+    appendNumber(text, number);
+    return text;
+}
+
 void appendQuoted(std::string& text, std::string_view value)
 {
     text += '"';

@@ -10,6 +10,9 @@ namespace ripstop {
 // A number that JSON has no word for (not a number, infinite) becomes null.
 void appendNumber(std::string& text, double number);
 
+// The same alone.
+std::string numberText(double number);
+
 // With quotation marks. Bytes that are not UTF-8 become question marks.
 void appendQuoted(std::string& text, std::string_view value);
 

@@ -10,6 +10,7 @@
 #include "io/whole_file.h"
 #include "recording/packed.h"
 #include "shapes/shape_files.h"
+#include "study/study.h"
 
 #include <nlohmann/json.hpp>
 
@@ -153,9 +154,8 @@ std::string FlightKeys::of(const std::vector<std::string>& assignments) const
 fs::path ledgerFolder(const fs::path& study)
 {
     std::string name = study.filename().string();
-    constexpr std::string_view ending = ".ripstop-study.json";
-    if (name.ends_with(ending))
-        name.resize(name.size() - ending.size());
+    if (name.ends_with(studyEnding))
+        name.resize(name.size() - studyEnding.size());
     return study.parent_path() / (name + ".ripstop-runs");
 }
 

@@ -2,21 +2,14 @@
 // percentile only.
 #include "study/measure.h"
 
+#include "io/json_text.h"
 #include "simulation/reached.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace ripstop {
 namespace {
-
-std::string shortText(double number)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", number);
-    return text;
-}
 
 double percentileOf(std::vector<double> values, double percent)
 {
@@ -37,7 +30,7 @@ std::string headingOf(const Measure& measure, const std::string& unit)
     std::string of = unit;
     switch (measure.reduction) {
     case Reduction::Percentile:
-        text += "p" + shortText(measure.percent);
+        text += "p" + numberText(measure.percent);
         break;
     case Reduction::Slope:
         of = unit.empty() ? "1/s" : unit + "/s";
@@ -52,9 +45,9 @@ std::string headingOf(const Measure& measure, const std::string& unit)
         text += choiceNames<Reduction>[std::size_t(measure.reduction)];
     }
     if (measure.from > 0.0)
-        text += " from " + shortText(measure.from) + " s";
+        text += " from " + numberText(measure.from) + " s";
     if (std::isfinite(measure.to))
-        text += " to " + shortText(measure.to) + " s";
+        text += " to " + numberText(measure.to) + " s";
     return of.empty() ? text : text + " (" + of + ")";
 }
 

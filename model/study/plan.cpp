@@ -5,24 +5,16 @@
 
 #include "base/split_mix.h"
 #include "io/csv.h"
+#include "io/json_text.h"
 #include "io/whole_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 
 namespace ripstop {
 namespace {
 
 using Kind = StudyPlan::Kind;
-
-constexpr double mostOfPlan = 1e8; // points
-
-std::string shortestText(double number)
-{
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 // A number for each point and variable, all of them as good as independent.
 std::uint64_t bitsOf(std::uint64_t seed, std::uint64_t point, std::uint64_t variable)
@@ -131,9 +123,9 @@ Result<StudyPoints> StudyPoints::of(const Study& study)
     StudyPoints points;
     points.m_study = study;
     const double count = countOf(study);
-    if (count > mostOfPlan)
+    if (count > mostStudyPoints)
         return Failure("The plan has %1 points; a study has up to %2.",
-                       Message::number("%.4g", count), Message::number("%.4g", mostOfPlan));
+                       Message::number("%.4g", count), Message::number("%.4g", mostStudyPoints));
     points.m_count = std::size_t(count);
     if (study.plan.kind == Kind::Points) {
         auto rows = readPoints(study);
@@ -172,7 +164,7 @@ std::string StudyPoints::drawn(std::size_t variable, double share) const
 {
     const StudyVariable& one = m_study.variables[variable];
     if (one.spread)
-        return shortestText(quantile(*one.spread, share));
+        return numberText(quantile(*one.spread, share));
     const std::size_t count = one.values.size();
     return one.values[std::min(std::size_t(share * double(count)), count - 1)];
 }

@@ -4,11 +4,11 @@
 // reads. nlohmann's exceptions never begin: everything is asked for before it is taken.
 #include "study/study.h"
 
+#include "io/json_text.h"
 #include "io/whole_file.h"
 
 #include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -20,14 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* formatName = "ripstop-study";
 constexpr int formatVersion = 1;
-constexpr std::int64_t mostPoints = 100'000'000;
 constexpr int mostOfRange = 100'000;
-
-std::string shortest(double number)
-{
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 // 10000 for the middle of a range from 1000 to 100000 that is logarithmic.
 std::string rounded(double number)
@@ -157,7 +150,7 @@ std::string valueText(const Json& value)
     if (value.is_string())
         return value.get<std::string>();
     if (value.is_number_float())
-        return shortest(value.get<double>());
+        return numberText(value.get<double>());
     return value.dump(); // 5, true
 }
 
@@ -256,7 +249,7 @@ StudyPlan readPlan(const Json& json, std::optional<Failure>& failure)
     const bool draws = plan.kind == Kind::LatinHypercube || plan.kind == Kind::Sobol
                        || plan.kind == Kind::MonteCarlo;
     if (draws) {
-        plan.count = std::int64_t(fields.number("count", std::nan(""), 1.0, double(mostPoints)));
+        plan.count = std::int64_t(fields.number("count", std::nan(""), 1.0, mostStudyPoints));
         plan.seed = std::uint64_t(fields.number("seed", 1.0, 0.0, 9007199254740992.0));
     }
     if (plan.kind == Kind::Points)
@@ -309,9 +302,8 @@ Json distributionJson(const Distribution& spread)
                 {"low", spread.a},
                 {"high", spread.b},
                 {"mode", spread.c}};
-    case Distribution::Kind::Log:
-        return {{"from", spread.a}, {"to", spread.b}, {"scale", "log"}};
     case Distribution::Kind::Uniform:
+    case Distribution::Kind::Log: // of ranges alone, which variableJson() writes
         break;
     }
     return {{"distribution", "uniform"}, {"low", spread.a}, {"high", spread.b}};

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ripstop {
@@ -63,7 +64,8 @@ struct Study
     std::filesystem::path folder;  // where the files are that it names
 };
 
-inline constexpr const char* studyEnding = ".ripstop-study.json";
+inline constexpr std::string_view studyEnding = ".ripstop-study.json";
+inline constexpr double mostStudyPoints = 1e8;
 
 // Failures name the file and the field.
 Result<Study> readStudy(const std::filesystem::path& file);

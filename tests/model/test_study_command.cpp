@@ -133,6 +133,27 @@ private slots:
         }
     }
 
+    // The script of a job array is one that a shell can read, whatever the folder is called.
+    void scriptsAreOfTheShell()
+    {
+        const Folder folder;
+        const QString odd = folder.file("it's a folder");
+        QVERIFY(QDir().mkpath(odd));
+        const QString study = odd + "/s.ripstop-study.json";
+        const Outcome made = call({"study", "new", study, "--scene", scene("pendulum"), "--vary",
+                                   "settings.airDensity=1,2", "--seconds", "0.1"});
+        QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+        const QByteArray script = call({"study", "slurm", study, "--tasks", "1"}).out;
+        QProcess shell; // as a task has it: its shard, and no Slurm that takes it again
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("SLURM_ARRAY_TASK_ID", "1");
+        shell.setProcessEnvironment(environment);
+        shell.start("bash", {"-c", script});
+        QVERIFY(shell.waitForFinished(60000));
+        QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+        QCOMPARE(call({"study", "status", study, "--json"}).json()["flown"].toInt(), 2);
+    }
+
     void refusals()
     {
         const Folder folder;
