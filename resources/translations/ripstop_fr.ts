@@ -14933,7 +14933,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="unknown_items.cpp"/>
         <source>Item %1 is of the type %2, which this version does not know; it is kept as it is and does nothing.</source>
-        <translation>L’élément %1 est de la sorte %2, que cette version ne connaît pas ; il est gardé tel quel et ne fait rien.</translation>
+        <translation>Élément %1 : sa sorte, %2, est inconnue de cette version ; il est gardé et ne fait rien.</translation>
     </message>
     <message>
         <location filename="value.cpp"/>
