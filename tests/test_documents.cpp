@@ -1,9 +1,13 @@
 // The pages that people read: every path, task of ./dev and command of ripstop-cli that they name
 // exists, so that a page cannot go on about a tree that has moved.
+#include "registered_test.h"
+
 #include <QtTest>
 
 #include <QDirIterator>
 #include <QRegularExpression>
+
+namespace ripstop::test_documents {
 
 // A word of a page that is to be looked up, and where it stands.
 struct Named
@@ -253,5 +257,7 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDocuments)
+const RegisteredTest registered("test_documents", runWithCore<TestDocuments>);
+
+} // namespace ripstop::test_documents
 #include "test_documents.moc"

@@ -1,6 +1,7 @@
 // Keys of properties are for files, paths and people. Code that needs one property names its field
 // (propertyOf<&Particle::mass>()), and asks for the rest by the columns of the table: so no key
 // stands as text outside the table, and none comes back.
+#include "registered_test.h"
 #include "scene/property.h"
 
 #include <QtTest>
@@ -8,7 +9,7 @@
 #include <QDirIterator>
 #include <QRegularExpression>
 
-using namespace ripstop;
+namespace ripstop::test_property_keys {
 
 namespace {
 
@@ -237,5 +238,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPropertyKeys)
+const RegisteredTest registered("test_property_keys", runPlain<TestPropertyKeys>);
+
+} // namespace ripstop::test_property_keys
 #include "test_property_keys.moc"

@@ -4,6 +4,8 @@
 // Stages: folders against rooms.txt; includes of every file against what its room may include;
 // types and nouns, of which each has one place; then the lengths of files, and habits that are not
 // wanted, found by patterns.
+#include "registered_test.h"
+
 #include <QtTest>
 
 #include <QDirIterator>
@@ -11,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+
+namespace ripstop::test_rooms {
 
 // A line of rooms.txt.
 struct Room
@@ -487,5 +491,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRooms)
+const RegisteredTest registered("test_rooms", runPlain<TestRooms>);
+
+} // namespace ripstop::test_rooms
 #include "test_rooms.moc"

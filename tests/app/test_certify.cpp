@@ -1,6 +1,7 @@
 // The dialog that certifies runs: empty, with what it found, where nothing can be judged, and its
 // place in the menu.
 #include "app/sheet_shop.h"
+#include "views/run_with_widgets.h"
 
 #include "dialogs/certify_dialog.h"
 
@@ -8,7 +9,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-using namespace ripstop;
+namespace ripstop::test_certify {
 
 class TestCertify : public QObject
 {
@@ -47,5 +48,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCertify)
+const RegisteredTest registered("test_certify", runWithWidgets<TestCertify>);
+
+} // namespace ripstop::test_certify
 #include "test_certify.moc"

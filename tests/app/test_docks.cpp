@@ -13,7 +13,7 @@
 #include <QTabBar>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_docks {
 
 namespace {
 
@@ -171,5 +171,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestDocks>(argc, argv); }
+const RegisteredTest registered("test_docks", runWithView<TestDocks>);
+
+} // namespace ripstop::test_docks
 #include "test_docks.moc"

@@ -14,7 +14,7 @@
 #include "editor/options.h"
 #include "files/export_dialog.h"
 #include "viewport/viewport.h"
-#include "views/run_with_view.h"
+#include "views/run_with_widgets.h"
 
 #include "base/hash_text.h"
 #include "compile/compile.h"
@@ -36,7 +36,7 @@
 #include <QTreeWidget>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_editor {
 
 namespace {
 
@@ -367,5 +367,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestEditor>(argc, argv); }
+const RegisteredTest registered("test_editor", runWithView<TestEditor>);
+
+} // namespace ripstop::test_editor
 #include "test_editor.moc"

@@ -15,7 +15,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 
-using namespace ripstop;
+namespace ripstop::test_export_dialog {
 
 namespace {
 
@@ -136,5 +136,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return ripstop::runWithView<TestExportDialog>(argc, argv); }
+const RegisteredTest registered("test_export_dialog", runWithView<TestExportDialog>);
+
+} // namespace ripstop::test_export_dialog
 #include "test_export_dialog.moc"

@@ -16,7 +16,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
-using namespace ripstop;
+namespace ripstop::test_film {
 
 namespace {
 
@@ -183,6 +183,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return ripstop::runWithView<TestFilm>(argc, argv); }
+const RegisteredTest registered("test_film", runWithView<TestFilm>);
 
+} // namespace ripstop::test_film
 #include "test_film.moc"

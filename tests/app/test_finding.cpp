@@ -15,7 +15,7 @@
 #include "files/templates.h"
 #include "scene/path.h"
 #include "viewport/viewport.h"
-#include "views/run_with_view.h"
+#include "views/run_with_widgets.h"
 
 #include <QAction>
 #include <QInputDialog>
@@ -29,7 +29,7 @@
 #include <QUndoView>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_finding {
 
 namespace {
 
@@ -272,6 +272,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestFinding>(argc, argv); }
+const RegisteredTest registered("test_finding", runWithView<TestFinding>);
 
+} // namespace ripstop::test_finding
 #include "test_finding.moc"

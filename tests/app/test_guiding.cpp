@@ -15,7 +15,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_guiding {
 
 namespace {
 
@@ -148,5 +148,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestGuiding>(argc, argv); }
+const RegisteredTest registered("test_guiding", runWithView<TestGuiding>);
+
+} // namespace ripstop::test_guiding
 #include "test_guiding.moc"

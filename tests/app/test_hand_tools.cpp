@@ -12,7 +12,7 @@
 #include "tools/hand_settings.h"
 #include "tools/pointing.h"
 
-using namespace ripstop;
+namespace ripstop::test_hand_tools {
 
 class TestHandTools : public QObject
 {
@@ -275,5 +275,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestHandTools>(argc, argv); }
+const RegisteredTest registered("test_hand_tools", runWithView<TestHandTools>);
+
+} // namespace ripstop::test_hand_tools
 #include "test_hand_tools.moc"

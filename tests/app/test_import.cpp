@@ -12,7 +12,7 @@
 #include "model/meshes.h"
 #include "start/start_page.h"
 #include "viewport/viewport.h"
-#include "views/run_with_view.h"
+#include "views/run_with_widgets.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -25,7 +25,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_import {
 
 namespace {
 
@@ -274,6 +274,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestImport>(argc, argv); }
+const RegisteredTest registered("test_import", runWithView<TestImport>);
 
+} // namespace ripstop::test_import
 #include "test_import.moc"

@@ -9,6 +9,7 @@
 #include "document/selection.h"
 #include "editor/main_window.h"
 #include "viewport/viewport.h"
+#include "views/run_with_widgets.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -23,7 +24,7 @@
 #include <QSlider>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_insert {
 
 namespace {
 
@@ -285,5 +286,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestInsert)
+const RegisteredTest registered("test_insert", runWithWidgets<TestInsert>);
+
+} // namespace ripstop::test_insert
 #include "test_insert.moc"

@@ -18,7 +18,6 @@
 #include "scene/typed_number.h"
 #include "scene/units.h"
 #include "shaping/operation.h"
-#include "views/run_with_view.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -39,9 +38,9 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-using namespace ripstop;
-
 Q_DECLARE_METATYPE(ripstop::Message)
+
+namespace ripstop::test_language {
 
 namespace {
 
@@ -440,5 +439,7 @@ private:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestLanguage>(argc, argv); }
+const RegisteredTest registered("test_language", runWithView<TestLanguage>);
+
+} // namespace ripstop::test_language
 #include "test_language.moc"

@@ -5,6 +5,7 @@
 #include "document/document.h"
 #include "document/selection.h"
 #include "scene/edit.h"
+#include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
 #include <QComboBox>
@@ -12,7 +13,7 @@
 #include <QPushButton>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_map_dialog {
 
 namespace {
 
@@ -80,5 +81,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMapDialog)
+const RegisteredTest registered("test_map_dialog", runWithWidgets<TestMapDialog>);
+
+} // namespace ripstop::test_map_dialog
 #include "test_map_dialog.moc"

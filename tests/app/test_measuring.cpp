@@ -10,7 +10,7 @@
 
 #include <QStatusBar>
 
-using namespace ripstop;
+namespace ripstop::test_measuring {
 
 class TestMeasuring : public QObject
 {
@@ -125,6 +125,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return ripstop::runWithView<TestMeasuring>(argc, argv); }
+const RegisteredTest registered("test_measuring", runWithView<TestMeasuring>);
 
+} // namespace ripstop::test_measuring
 #include "test_measuring.moc"

@@ -9,7 +9,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
-using namespace ripstop;
+namespace ripstop::test_screens {
 
 namespace {
 
@@ -73,6 +73,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestScreens>(argc, argv); }
+const RegisteredTest registered("test_screens", runWithView<TestScreens>);
 
+} // namespace ripstop::test_screens
 #include "test_screens.moc"

@@ -11,7 +11,7 @@
 #include "select/elements.h"
 #include "tools/pointing.h"
 #include "viewport/viewport.h"
-#include "views/run_with_view.h"
+#include "views/run_with_widgets.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -25,7 +25,7 @@
 #include <QStatusBar>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_select_menu {
 
 namespace {
 
@@ -295,5 +295,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestSelectMenu>(argc, argv); }
+const RegisteredTest registered("test_select_menu", runWithView<TestSelectMenu>);
+
+} // namespace ripstop::test_select_menu
 #include "test_select_menu.moc"

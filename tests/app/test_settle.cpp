@@ -11,7 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-using namespace ripstop;
+namespace ripstop::test_settle {
 
 class TestSettle : public QObject
 {
@@ -121,5 +121,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestSettle>(argc, argv); }
+const RegisteredTest registered("test_settle", runWithView<TestSettle>);
+
+} // namespace ripstop::test_settle
 #include "test_settle.moc"

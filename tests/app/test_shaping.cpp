@@ -12,6 +12,7 @@
 #include "thread_time.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
+#include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
 #include <QAction>
@@ -22,7 +23,7 @@
 #include <QPushButton>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_shaping {
 
 namespace {
 
@@ -274,5 +275,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestShaping)
+const RegisteredTest registered("test_shaping", runWithWidgets<TestShaping>);
+
+} // namespace ripstop::test_shaping
 #include "test_shaping.moc"

@@ -13,7 +13,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_timeline {
 
 namespace {
 
@@ -235,5 +235,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestTimeline>(argc, argv); }
+const RegisteredTest registered("test_timeline", runWithView<TestTimeline>);
+
+} // namespace ripstop::test_timeline
 #include "test_timeline.moc"

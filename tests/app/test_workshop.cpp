@@ -31,7 +31,7 @@
 
 #include <algorithm>
 
-using namespace ripstop;
+namespace ripstop::test_workshop {
 
 namespace {
 
@@ -371,5 +371,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestWorkshop>(argc, argv); }
+const RegisteredTest registered("test_workshop", runWithView<TestWorkshop>);
+
+} // namespace ripstop::test_workshop
 #include "test_workshop.moc"

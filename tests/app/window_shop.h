@@ -10,7 +10,7 @@
 #include "document/selection.h"
 #include "editor/main_window.h"
 #include "viewport/viewport.h"
-#include "views/run_with_view.h"
+#include "views/run_with_widgets.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,7 +1,7 @@
 // Flies a scene step by step with a recorder beside it and returns the finished recording, as the
 // runner of the window makes it, but on the calling thread and with nothing left to timing.
 //
-// A Pilot can act before each step. The scene must compile. Memory is in bytes.
+// A RecordedPilot can act before each step. The scene must compile. Memory is in bytes.
 #pragma once
 
 #include "compile/compile.h"
@@ -16,10 +16,11 @@ namespace ripstop {
 inline Design designOf(const Scene& scene) { return {std::make_shared<const Scene>(scene), {}}; }
 
 // Called before each step; it may give orders to the simulation and tell the recorder of them.
-using Pilot = std::function<void(Simulation&, Recorder&, int step)>;
+using RecordedPilot = std::function<void(Simulation&, Recorder&, int step)>;
 
-inline std::shared_ptr<Recording> flown(const Scene& scene, int steps, const Pilot& pilot = {},
-                                        int threads = 1, std::size_t memory = std::size_t(64) << 20)
+inline std::shared_ptr<Recording> flown(const Scene& scene, int steps,
+                                        const RecordedPilot& pilot = {}, int threads = 1,
+                                        std::size_t memory = std::size_t(64) << 20)
 {
     Simulation simulation(*compile(scene), threads);
     Recorder recorder(memory);

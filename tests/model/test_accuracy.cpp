@@ -3,13 +3,14 @@
 #include "compile/compile.h"
 #include "io/scene_file.h"
 #include "model/cli_call.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 #include "step/accuracy.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_accuracy {
 
 namespace {
 
@@ -142,5 +143,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAccuracy)
+const RegisteredTest registered("test_accuracy", runWithCore<TestAccuracy>);
+
+} // namespace ripstop::test_accuracy
 #include "test_accuracy.moc"

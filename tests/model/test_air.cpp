@@ -2,12 +2,13 @@
 // is among the cases (verify/air.cpp, verify/air_laws.cpp).
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_air {
 
 namespace {
 
@@ -85,5 +86,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAir)
+const RegisteredTest registered("test_air", runPlain<TestAir>);
+
+} // namespace ripstop::test_air
 #include "test_air.moc"

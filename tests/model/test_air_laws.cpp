@@ -7,6 +7,7 @@
 // angles, and in a descent.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "compile/resolve.h"
 #include "forces/panel_load.h"
@@ -18,7 +19,7 @@
 #include <functional>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_air_laws {
 
 namespace {
 
@@ -393,5 +394,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAirLaws)
+const RegisteredTest registered("test_air_laws", runPlain<TestAirLaws>);
+
+} // namespace ripstop::test_air_laws
 #include "test_air_laws.moc"

@@ -1,6 +1,7 @@
 // How long a substep may be for what the air takes from fabric.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "forces/forces.h"
 
@@ -8,7 +9,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_air_step {
 
 namespace {
 
@@ -84,5 +85,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAirStep)
+const RegisteredTest registered("test_air_step", runPlain<TestAirStep>);
+
+} // namespace ripstop::test_air_step
 #include "test_air_step.moc"

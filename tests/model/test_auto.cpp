@@ -5,6 +5,7 @@
 // no solver can help; then numbers of substeps, checkpoints and threads.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "builders/network.h"
@@ -18,7 +19,9 @@
 
 #include <algorithm>
 
-using namespace ripstop;
+Q_DECLARE_METATYPE(ripstop::Parameters)
+
+namespace ripstop::test_auto {
 
 namespace {
 
@@ -100,8 +103,6 @@ double medianStrain(const System& system, int steps)
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(ripstop::Parameters)
 
 class TestAuto : public QObject
 {
@@ -358,5 +359,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAuto)
+const RegisteredTest registered("test_auto", runPlain<TestAuto>);
+
+} // namespace ripstop::test_auto
 #include "test_auto.moc"

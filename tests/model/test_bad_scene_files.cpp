@@ -4,6 +4,7 @@
 // Stages: a table of flawed texts with the sentence that each must give; then files that are cut
 // off, huge, or no files at all.
 #include "model/scene_texts.h"
+#include "registered_test.h"
 
 #include "io/scene_file.h"
 
@@ -13,7 +14,7 @@
 
 #include <chrono>
 
-using namespace ripstop;
+namespace ripstop::test_bad_scene_files {
 
 class TestBadSceneFiles : public QObject
 {
@@ -212,5 +213,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBadSceneFiles)
+const RegisteredTest registered("test_bad_scene_files", runPlain<TestBadSceneFiles>);
+
+} // namespace ripstop::test_bad_scene_files
 #include "test_bad_scene_files.moc"

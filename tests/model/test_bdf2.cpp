@@ -2,6 +2,7 @@
 // lines, gain by refining, or be blown away.
 #include "model/sample_scenes.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "assembly/finish.h"
 #include "laws/step_limit.h"
@@ -10,7 +11,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_bdf2 {
 
 namespace {
 
@@ -196,5 +197,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBdf2)
+const RegisteredTest registered("test_bdf2", runPlain<TestBdf2>);
+
+} // namespace ripstop::test_bdf2
 #include "test_bdf2.moc"

@@ -6,6 +6,7 @@
 // the limit of the step, made for what is flat, holds at any shape.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "forces/bend_force.h"
 #include "forces/force.h"
@@ -19,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_bent_cloth {
 
 namespace {
 
@@ -339,5 +340,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBentCloth)
+const RegisteredTest registered("test_bent_cloth", runPlain<TestBentCloth>);
+
+} // namespace ripstop::test_bent_cloth
 #include "test_bent_cloth.moc"

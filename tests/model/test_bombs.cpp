@@ -11,6 +11,7 @@
 #include "io/recording_file.h"
 #include "recording/run_chunk.h"
 #include "recording/run_fields.h"
+#include "registered_test.h"
 #include "shapes/height_picture.h"
 
 #include "files.h"
@@ -25,7 +26,9 @@
 
 #include <sys/resource.h>
 
-using namespace ripstop;
+Q_DECLARE_METATYPE(void (*)(ripstop::StretchParts&))
+
+namespace ripstop::test_bombs {
 
 namespace {
 
@@ -95,8 +98,6 @@ void forgeHead(StretchParts& stretch, void (*forge)(StoredChunk& chunk))
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Forge)
 
 class TestBombs : public QObject
 {
@@ -301,5 +302,7 @@ private:
     QString m_file;
 };
 
-QTEST_GUILESS_MAIN(TestBombs)
+const RegisteredTest registered("test_bombs", runWithCore<TestBombs>);
+
+} // namespace ripstop::test_bombs
 #include "test_bombs.moc"

@@ -7,12 +7,13 @@
 #include "builders/builder.h"
 #include "builders/statics.h"
 #include "check/check.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_builders {
 
 namespace {
 
@@ -323,5 +324,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBuilders)
+const RegisteredTest registered("test_builders", runPlain<TestBuilders>);
+
+} // namespace ripstop::test_builders
 #include "test_builders.moc"

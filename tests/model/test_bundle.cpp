@@ -7,6 +7,7 @@
 #include "bundle/bundle.h"
 #include "io/scene_file.h"
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -14,7 +15,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_bundle {
 
 namespace {
 
@@ -53,14 +54,14 @@ private slots:
         QFETCH(QString, target);
         QTemporaryDir folder;
         const QString path = folder.filePath(target);
-        const Outcome made = wrapped(::scene(qPrintable(scene)), path, {"--seconds", "1"});
+        const Outcome made = wrapped(ripstop::scene(qPrintable(scene)), path, {"--seconds", "1"});
         QVERIFY2(made.exitCode == 0, qPrintable(made.error));
         QCOMPARE(filesIn(folder.path()), QStringList{target});
 
         const Outcome flown = call({"run", path, "--threads", "2", "--json"});
         QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
         const Outcome direct =
-            call({"run", ::scene(qPrintable(scene)), "--seconds", "1", "--json"});
+            call({"run", ripstop::scene(qPrintable(scene)), "--seconds", "1", "--json"});
         QVERIFY(flown.json()["same"].toBool());
         QCOMPARE(flown.json()["hash"].toString(), direct.json()["hash"].toString());
         QCOMPARE(flown.json()["steps"].toInt(), direct.json()["steps"].toInt());
@@ -328,5 +329,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBundle)
+const RegisteredTest registered("test_bundle", runWithCore<TestBundle>);
+
+} // namespace ripstop::test_bundle
 #include "test_bundle.moc"

@@ -15,6 +15,7 @@
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
 #include "model/systems.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 #include "system/membrane.h"
 
@@ -27,7 +28,7 @@
 #include <map>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_calculix {
 
 namespace {
 
@@ -328,5 +329,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCalculix)
+const RegisteredTest registered("test_calculix", runPlain<TestCalculix>);
+
+} // namespace ripstop::test_calculix
 #include "test_calculix.moc"

@@ -5,6 +5,7 @@
 // many starts; then threads, scenes without air, holes that leak, edits in flight, and added mass
 // that is much heavier than the cloth.
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "assembly/carry_over.h"
 #include "builders/builder.h"
@@ -24,7 +25,9 @@
 #include <functional>
 #include <set>
 
-using namespace ripstop;
+Q_DECLARE_METATYPE(std::function<void(ripstop::Part&)>)
+
+namespace ripstop::test_canopy {
 
 namespace {
 
@@ -102,8 +105,6 @@ Edit setting(Id target, const char* key, const Value& value)
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Spoil)
 
 class TestCanopy : public QObject
 {
@@ -426,6 +427,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCanopy)
+const RegisteredTest registered("test_canopy", runPlain<TestCanopy>);
 
+} // namespace ripstop::test_canopy
 #include "test_canopy.moc"

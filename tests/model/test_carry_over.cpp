@@ -5,6 +5,7 @@
 // particles.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "assembly/carry_over.h"
 #include "measure/diagnostics.h"
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 
-using namespace ripstop;
+namespace ripstop::test_carry_over {
 
 namespace {
 
@@ -274,5 +275,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCarryOver)
+const RegisteredTest registered("test_carry_over", runPlain<TestCarryOver>);
+
+} // namespace ripstop::test_carry_over
 #include "test_carry_over.moc"

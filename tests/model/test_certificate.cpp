@@ -5,6 +5,7 @@
 // the command.
 #include "model/cli_call.h"
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 
 #include "export/export_run.h"
 #include "io/certificate_table.h"
@@ -18,7 +19,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_certificate {
 
 namespace {
 
@@ -256,5 +257,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCertificate)
+const RegisteredTest registered("test_certificate", runWithCore<TestCertificate>);
+
+} // namespace ripstop::test_certificate
 #include "test_certificate.moc"

@@ -9,6 +9,7 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include <QElapsedTimer>
 #include <QRandomGenerator>
@@ -22,7 +23,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-using namespace ripstop;
+namespace ripstop::test_chaos {
 
 namespace {
 
@@ -416,5 +417,7 @@ private:
     int m_in = 0;
 };
 
-QTEST_GUILESS_MAIN(TestChaos)
+const RegisteredTest registered("test_chaos", runWithCore<TestChaos>);
+
+} // namespace ripstop::test_chaos
 #include "test_chaos.moc"

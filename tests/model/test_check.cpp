@@ -3,6 +3,7 @@
 // Stages: a sound scene has none; then each problem is made once and has to be found once; the
 // order and number of what is told; then the longest time step of springs, against chains by hand.
 #include "check/check.h"
+#include "registered_test.h"
 
 #include "laws/step_limit.h"
 
@@ -13,7 +14,9 @@
 #include <cmath>
 #include <functional>
 
-using namespace ripstop;
+Q_DECLARE_METATYPE(std::function<void(ripstop::Scene&)>)
+
+namespace ripstop::test_check {
 
 namespace {
 
@@ -54,8 +57,6 @@ Control control()
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Break)
 
 class TestCheck : public QObject
 {
@@ -393,5 +394,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCheck)
+const RegisteredTest registered("test_check", runPlain<TestCheck>);
+
+} // namespace ripstop::test_check
 #include "test_check.moc"

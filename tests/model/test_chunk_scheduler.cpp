@@ -5,6 +5,7 @@
 // had their turns. Expected is what nested loops over rounds, classes and chunks leave.
 #include "model/systems.h"
 #include "parallel/chunk_scheduler.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
@@ -15,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-using namespace ripstop;
+namespace ripstop::test_chunk_scheduler {
 
 namespace {
 
@@ -218,5 +219,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestChunkScheduler)
+const RegisteredTest registered("test_chunk_scheduler", runPlain<TestChunkScheduler>);
+
+} // namespace ripstop::test_chunk_scheduler
 #include "test_chunk_scheduler.moc"

@@ -4,6 +4,7 @@
 // export, properties); divergence, tears, controls and the final scene; at the end an interrupt,
 // and that the program links no window system.
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include "io/scene_file.h"
 #include "scene/property.h"
@@ -19,7 +20,7 @@
 #include <csignal>
 #include <limits>
 
-using namespace ripstop;
+namespace ripstop::test_cli {
 
 namespace {
 
@@ -491,5 +492,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCli)
+const RegisteredTest registered("test_cli", runWithCore<TestCli>);
+
+} // namespace ripstop::test_cli
 #include "test_cli.moc"

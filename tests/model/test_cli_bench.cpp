@@ -1,12 +1,13 @@
 // ripstop-cli bench: what its figures mean.
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include <QJsonArray>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_cli_bench {
 
 class TestCliBench : public QObject
 {
@@ -55,5 +56,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliBench)
+const RegisteredTest registered("test_cli_bench", runWithCore<TestCliBench>);
+
+} // namespace ripstop::test_cli_bench
 #include "test_cli_bench.moc"

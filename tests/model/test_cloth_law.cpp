@@ -2,6 +2,7 @@
 // derivative of the energy, and wrinkling as the least energy that it is.
 #include "laws/cloth_law.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
@@ -12,7 +13,7 @@
 #include <numbers>
 #include <random>
 
-using namespace ripstop;
+namespace ripstop::test_cloth_law {
 
 namespace {
 
@@ -163,5 +164,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestClothLaw)
+const RegisteredTest registered("test_cloth_law", runPlain<TestClothLaw>);
+
+} // namespace ripstop::test_cloth_law
 #include "test_cloth_law.moc"

@@ -6,6 +6,7 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/diagnostics.h"
+#include "registered_test.h"
 #include "simulation/cloth_ramps.h"
 
 #include "edited_flight.h"
@@ -20,7 +21,7 @@
 #include <numbers>
 #include <random>
 
-using namespace ripstop;
+namespace ripstop::test_cloth_ramps {
 
 namespace {
 
@@ -436,5 +437,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestClothRamps)
+const RegisteredTest registered("test_cloth_ramps", runWithCore<TestClothRamps>);
+
+} // namespace ripstop::test_cloth_ramps
 #include "test_cloth_ramps.moc"

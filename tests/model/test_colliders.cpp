@@ -11,6 +11,7 @@
 #include "derived/collider_shape.h"
 #include "io/scene_file.h"
 #include "model/systems.h"
+#include "registered_test.h"
 #include "scene/collider_path.h"
 #include "scene/path.h"
 #include "simulation/simulation.h"
@@ -23,7 +24,7 @@
 
 #include <Eigen/LU>
 
-using namespace ripstop;
+namespace ripstop::test_colliders {
 
 namespace {
 
@@ -369,5 +370,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestColliders)
+const RegisteredTest registered("test_colliders", runPlain<TestColliders>);
+
+} // namespace ripstop::test_colliders
 #include "test_colliders.moc"

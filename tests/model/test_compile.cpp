@@ -4,6 +4,7 @@
 // System, by numbers and by order; then scenes that are refused with a sentence; and that
 // compiling twice gives the same system and motion.
 #include "compile/compile.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "builders/network.h"
@@ -14,7 +15,7 @@
 
 #include <algorithm>
 
-using namespace ripstop;
+namespace ripstop::test_compile {
 
 namespace {
 
@@ -307,5 +308,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCompile)
+const RegisteredTest registered("test_compile", runPlain<TestCompile>);
+
+} // namespace ripstop::test_compile
 #include "test_compile.moc"

@@ -5,10 +5,11 @@
 // top, the side and inside; pins; and a chain that falls onto the floor.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_contact {
 
 namespace {
 
@@ -192,5 +193,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestContact)
+const RegisteredTest registered("test_contact", runPlain<TestContact>);
+
+} // namespace ripstop::test_contact
 #include "test_contact.moc"

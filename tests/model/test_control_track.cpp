@@ -6,13 +6,14 @@
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "measure/diagnostics.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_control_track {
 
 namespace {
 
@@ -251,5 +252,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestControlTrack)
+const RegisteredTest registered("test_control_track", runPlain<TestControlTrack>);
+
+} // namespace ripstop::test_control_track
 #include "test_control_track.moc"

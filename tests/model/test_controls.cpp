@@ -5,6 +5,7 @@
 // hand, also with torn rods.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 #include "simulation/simulation.h"
@@ -12,7 +13,7 @@
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_controls {
 
 namespace {
 
@@ -302,5 +303,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestControls)
+const RegisteredTest registered("test_controls", runPlain<TestControls>);
+
+} // namespace ripstop::test_controls
 #include "test_controls.moc"

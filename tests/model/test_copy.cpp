@@ -5,6 +5,7 @@
 // aligned and split; the numbers follow from counting its rows. after() checks for each edit that
 // undo and redo give the scenes back and that the outcome has no error. At the end every operation
 // is tried on designs of all builders, and a large design is timed.
+#include "registered_test.h"
 #include "shaping/copy.h"
 
 #include "builders/builder.h"
@@ -26,7 +27,7 @@
 #include <numbers>
 #include <numeric>
 
-using namespace ripstop;
+namespace ripstop::test_copy {
 
 namespace {
 
@@ -490,5 +491,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCopy)
+const RegisteredTest registered("test_copy", runWithCore<TestCopy>);
+
+} // namespace ripstop::test_copy
 #include "test_copy.moc"

@@ -4,6 +4,7 @@
 // without induced flow, weight shift), and the parachute's rate of descent. The numbers come from
 // the sources that stand above each test.
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "derived/tear_bounds.h"
@@ -17,7 +18,7 @@
 #include <numbers>
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_craft {
 
 class TestCraft : public QObject
 {
@@ -304,5 +305,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCraft)
+const RegisteredTest registered("test_craft", runPlain<TestCraft>);
+
+} // namespace ripstop::test_craft
 #include "test_craft.moc"

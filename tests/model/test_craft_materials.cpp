@@ -9,12 +9,13 @@
 #include "derived/cloth_area.h"
 #include "materials/presets.h"
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_craft_materials {
 
 namespace {
 
@@ -195,5 +196,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCraftMaterials)
+const RegisteredTest registered("test_craft_materials", runWithCore<TestCraftMaterials>);
+
+} // namespace ripstop::test_craft_materials
 #include "test_craft_materials.moc"

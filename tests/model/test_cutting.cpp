@@ -5,6 +5,7 @@
 // track.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "check/check.h"
@@ -20,7 +21,7 @@
 
 #include <algorithm>
 
-using namespace ripstop;
+namespace ripstop::test_cutting {
 
 namespace {
 
@@ -292,5 +293,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCutting)
+const RegisteredTest registered("test_cutting", runPlain<TestCutting>);
+
+} // namespace ripstop::test_cutting
 #include "test_cutting.moc"

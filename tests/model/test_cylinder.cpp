@@ -7,6 +7,7 @@
 #include "assembly/finish.h"
 #include "model/obstacles.h"
 #include "model/systems.h"
+#include "registered_test.h"
 #include "shapes/cylinder.h"
 #include "shapes/touch.h"
 
@@ -16,7 +17,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_cylinder {
 
 namespace {
 
@@ -289,5 +290,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCylinder)
+const RegisteredTest registered("test_cylinder", runPlain<TestCylinder>);
+
+} // namespace ripstop::test_cylinder
 #include "test_cylinder.moc"

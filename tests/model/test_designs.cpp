@@ -5,6 +5,7 @@
 #include "author/design_figures.h"
 #include "builders/statics.h"
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
@@ -12,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_designs {
 
 namespace {
 
@@ -155,7 +156,7 @@ private slots:
     void kitesFly()
     {
         QFETCH(QString, name);
-        Simulation simulation = ::started(built(qPrintable(name)));
+        Simulation simulation = test_designs::started(built(qPrintable(name)));
         double lowest = 90.0, highest = 0.0; // degrees
         for (double time = 12.0; time <= 16.0; time += 0.5) {
             QVERIFY(simulation.runUntil(time));
@@ -185,7 +186,7 @@ private slots:
         const Vec3 mirrored = start(left).cwiseProduct(Vec3(1.0, 1.0, -1.0));
         const Id right =
             std::ranges::min(nodes, {}, [&](Id id) { return (start(id) - mirrored).norm(); });
-        Simulation simulation = ::started(scene);
+        Simulation simulation = test_designs::started(scene);
         const auto now = [&](Id id) {
             return simulation.state().position[std::size_t(findRow(rows, id) - rows.data())];
         };
@@ -217,7 +218,7 @@ private slots:
         const double mass = lumpedMassOf(partOf(scene)).mass;
         const double area = 1.5 * 1.5 * (1.0 + 4.0 * arms);
         const double expected = std::sqrt(2.0 * mass * gravity / (air * 0.7 * area));
-        Simulation simulation = ::started(scene);
+        Simulation simulation = test_designs::started(scene);
         QVERIFY(simulation.runUntil(7.0));
         const double rate = probe(simulation, "sink rate");
         QVERIFY2(std::abs(rate / expected - 1.0) < 0.03,
@@ -247,7 +248,7 @@ private slots:
         QCOMPARE(partOf(scene).links.size(), std::size_t(1));
         scene = bridle("1, 0.5", {{"span", 0.6}, {"load", 5.0}, {"line_density", 1e-6}});
         scene.settings.viscosity = 5.0;
-        Simulation simulation = ::started(scene);
+        Simulation simulation = test_designs::started(scene);
         QVERIFY(simulation.runUntil(4.0));
         const auto frame = simulation.frame();
         const double load = 5.0 * gravity;
@@ -277,7 +278,7 @@ private slots:
             const auto& x = simulation.state().position;
             return std::array{(x[0] - x[11]).norm(), (x[3] - x[8]).norm(), (x[0] - x[3]).norm()};
         };
-        Simulation simulation = ::started(scene);
+        Simulation simulation = test_designs::started(scene);
         const auto before = shape(simulation);
         QVERIFY(simulation.runUntil(1.0));
         const auto after = shape(simulation);
@@ -289,7 +290,7 @@ private slots:
     // The wind carries the fly away from the pole, which stays where it is.
     void flagStreams()
     {
-        Simulation simulation = ::started(built("pole_flag"));
+        Simulation simulation = test_designs::started(built("pole_flag"));
         QVERIFY(simulation.runUntil(4.0));
         QVERIFY(probe(simulation, "fly") > 0.5 * 1.2);
         QVERIFY(std::abs(probe(simulation, "pole top")) < 1e-9);
@@ -298,12 +299,14 @@ private slots:
     // A pole of EI gives way to the pull of its flag.
     void poleBends()
     {
-        Simulation simulation = ::started(built("pole_flag", {{"rigidity", 40}}));
+        Simulation simulation = test_designs::started(built("pole_flag", {{"rigidity", 40}}));
         QVERIFY(simulation.runUntil(3.0));
         QVERIFY(probe(simulation, "pole top") > 1e-3);
         QVERIFY(probe(simulation, "pole top") < 0.5 * 2.5);
     }
 };
 
-QTEST_APPLESS_MAIN(TestDesigns)
+const RegisteredTest registered("test_designs", runPlain<TestDesigns>);
+
+} // namespace ripstop::test_designs
 #include "test_designs.moc"

@@ -5,6 +5,7 @@
 // a run that goes on from a checkpoint.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -17,7 +18,7 @@
 
 #include <cstring>
 
-using namespace ripstop;
+namespace ripstop::test_determinism {
 
 namespace {
 
@@ -376,5 +377,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDeterminism)
+const RegisteredTest registered("test_determinism", runPlain<TestDeterminism>);
+
+} // namespace ripstop::test_determinism
 #include "test_determinism.moc"

@@ -5,6 +5,7 @@
 // bits, changes in place, and that a step allocates nothing.
 #include "assembly/finish.h"
 #include "model/heavy_line.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 
@@ -16,8 +17,6 @@
 #include <cstdlib>
 #include <new>
 #include <numbers>
-
-using namespace ripstop;
 
 static std::atomic<long> allocations = 0;
 
@@ -40,6 +39,8 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace ripstop::test_direct {
 
 namespace {
 
@@ -382,5 +383,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDirect)
+const RegisteredTest registered("test_direct", runPlain<TestDirect>);
+
+} // namespace ripstop::test_direct
 #include "test_direct.moc"

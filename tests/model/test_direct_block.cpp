@@ -5,6 +5,7 @@
 // block beside sweeps; the rule that chooses rods; and the order in which rods are numbered.
 #include "assembly/finish.h"
 #include "model/heavy_line.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -16,7 +17,7 @@
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_direct_block {
 
 namespace {
 
@@ -222,5 +223,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDirectBlock)
+const RegisteredTest registered("test_direct_block", runPlain<TestDirectBlock>);
+
+} // namespace ripstop::test_direct_block
 #include "test_direct_block.moc"

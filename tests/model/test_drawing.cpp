@@ -6,6 +6,7 @@
 // fewest braces that make them rigid; and at last the glider of the paper, and refusals.
 #include "author/rigidity.h"
 #include "builders/builder.h"
+#include "registered_test.h"
 #include "shaping/drawing.h"
 
 #include <QtTest>
@@ -14,7 +15,7 @@
 #include <cmath>
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_drawing {
 
 namespace {
 
@@ -326,5 +327,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDrawing)
+const RegisteredTest registered("test_drawing", runPlain<TestDrawing>);
+
+} // namespace ripstop::test_drawing
 #include "test_drawing.moc"

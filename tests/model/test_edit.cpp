@@ -3,13 +3,14 @@
 // Stages: a table of edits is applied, undone and redone, one by one and many in a row; where
 // items and rows go; then removals and what hangs on what is removed; gestures; and what an edit
 // does at worst to a run.
+#include "registered_test.h"
 #include "scene/edit.h"
 
 #include <QtTest>
 
-using namespace ripstop;
-
 Q_DECLARE_METATYPE(ripstop::Edit)
+
+namespace ripstop::test_edit {
 
 namespace {
 
@@ -347,5 +348,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEdit)
+const RegisteredTest registered("test_edit", runPlain<TestEdit>);
+
+} // namespace ripstop::test_edit
 #include "test_edit.moc"

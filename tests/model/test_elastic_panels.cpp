@@ -8,6 +8,7 @@
 #include "derived/flat_panel.h"
 #include "measure/diagnostics.h"
 #include "model/systems.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 #include "system/membrane.h"
 
@@ -18,7 +19,7 @@
 #include <cmath>
 #include <random>
 
-using namespace ripstop;
+namespace ripstop::test_elastic_panels {
 
 namespace {
 
@@ -428,5 +429,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestElasticPanels)
+const RegisteredTest registered("test_elastic_panels", runPlain<TestElasticPanels>);
+
+} // namespace ripstop::test_elastic_panels
 #include "test_elastic_panels.moc"

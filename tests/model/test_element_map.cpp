@@ -3,6 +3,7 @@
 // Stages: places of particles, links and panels; what a link has of its material; pictures; undo;
 // what is refused; and the command line.
 #include "model/material_sheets.h"
+#include "registered_test.h"
 
 #include "io/scene_file.h"
 #include "scene/path.h"
@@ -16,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_element_map {
 
 namespace {
 
@@ -195,5 +196,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestElementMap)
+const RegisteredTest registered("test_element_map", runPlain<TestElementMap>);
+
+} // namespace ripstop::test_element_map
 #include "test_element_map.moc"

@@ -7,6 +7,7 @@
 #include "export/export_run.h"
 #include "export/surface.h"
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 
 #include <QFile>
@@ -19,7 +20,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_elsewhere {
 
 namespace {
 
@@ -197,5 +198,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestElsewhere)
+const RegisteredTest registered("test_elsewhere", runPlain<TestElsewhere>);
+
+} // namespace ripstop::test_elsewhere
 #include "test_elsewhere.moc"

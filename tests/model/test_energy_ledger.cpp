@@ -5,6 +5,7 @@
 // air, bounces, tears); then that reading disturbs nothing, and that frames keep the ledger.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 #include "recording/run_chunk.h"
@@ -14,7 +15,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_energy_ledger {
 
 namespace {
 
@@ -308,5 +309,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEnergyLedger)
+const RegisteredTest registered("test_energy_ledger", runPlain<TestEnergyLedger>);
+
+} // namespace ripstop::test_energy_ledger
 #include "test_energy_ledger.moc"

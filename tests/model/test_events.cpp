@@ -9,6 +9,7 @@
 #include "model/cli_call.h"
 #include "model/systems.h"
 #include "recording/event_watch.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 
 #include <QTemporaryDir>
@@ -17,7 +18,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_events {
 
 namespace {
 
@@ -203,5 +204,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEvents)
+const RegisteredTest registered("test_events", runWithCore<TestEvents>);
+
+} // namespace ripstop::test_events
 #include "test_events.moc"

@@ -8,6 +8,7 @@
 #include "export/format.h"
 #include "io/csv.h"
 #include "model/files.h"
+#include "registered_test.h"
 #include "scene/scene.h"
 #include "simulation/simulation.h"
 
@@ -21,7 +22,7 @@
 #include <cstring>
 #include <limits>
 
-using namespace ripstop;
+namespace ripstop::test_export {
 
 namespace {
 
@@ -432,5 +433,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExport)
+const RegisteredTest registered("test_export", runPlain<TestExport>);
+
+} // namespace ripstop::test_export
 #include "test_export.moc"

@@ -8,6 +8,7 @@
 #include "io/recording_file.h"
 #include "model/cli_call.h"
 #include "model/flown.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 
 #include <QDir>
@@ -15,7 +16,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_export_recording {
 
 namespace {
 
@@ -162,5 +163,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExportRecording)
+const RegisteredTest registered("test_export_recording", runWithCore<TestExportRecording>);
+
+} // namespace ripstop::test_export_recording
 #include "test_export_recording.moc"

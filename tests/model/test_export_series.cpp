@@ -8,6 +8,7 @@
 #include "export/format.h"
 #include "model/files.h"
 #include "model/meshes.h"
+#include "registered_test.h"
 #include "shapes/mesh_file.h"
 #include "simulation/simulation.h"
 
@@ -19,7 +20,7 @@
 
 #include <cstring>
 
-using namespace ripstop;
+namespace ripstop::test_export_series {
 
 namespace {
 
@@ -314,5 +315,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExportSeries)
+const RegisteredTest registered("test_export_series", runPlain<TestExportSeries>);
+
+} // namespace ripstop::test_export_series
 #include "test_export_series.moc"

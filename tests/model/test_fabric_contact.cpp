@@ -6,6 +6,7 @@
 #include "assembly/finish.h"
 #include "contact/fabric_contact.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
@@ -15,7 +16,7 @@
 #include <limits>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_fabric_contact {
 
 namespace {
 
@@ -250,5 +251,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFabricContact)
+const RegisteredTest registered("test_fabric_contact", runPlain<TestFabricContact>);
+
+} // namespace ripstop::test_fabric_contact
 #include "test_fabric_contact.moc"

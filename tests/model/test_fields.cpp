@@ -6,10 +6,11 @@
 #include "base/bytes.h"
 #include "measure/diagnostics.h"
 #include "recording/run_fields.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_fields {
 
 namespace {
 
@@ -28,13 +29,20 @@ struct Specimen
 
 enum class Flavour { Plain, Sweet };
 
-} // namespace
-
-template <>
-inline constexpr auto ripstop::fieldsOf<Specimen> =
+constexpr auto fieldsOfSpecimen =
     fields<Specimen, field<&Specimen::number, Flavour::Sweet, Since{2}>, &Specimen::place,
            &Specimen::pull, &Specimen::some, &Specimen::pair, &Specimen::name,
            field<&Specimen::late, Compared::No>>;
+
+} // namespace
+
+} // namespace ripstop::test_fields
+
+template <>
+inline constexpr auto ripstop::fieldsOf<ripstop::test_fields::Specimen> =
+    ripstop::test_fields::fieldsOfSpecimen;
+
+namespace ripstop::test_fields {
 
 namespace {
 
@@ -281,5 +289,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFields)
+const RegisteredTest registered("test_fields", runPlain<TestFields>);
+
+} // namespace ripstop::test_fields
 #include "test_fields.moc"

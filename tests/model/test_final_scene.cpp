@@ -2,6 +2,7 @@
 #include "check/check.h"
 #include "compile/compile.h"
 #include "io/scene_file.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 
 #include <QProcess>
@@ -10,7 +11,7 @@
 
 #include <algorithm>
 
-using namespace ripstop;
+namespace ripstop::test_final_scene {
 
 class TestFinalScene : public QObject
 {
@@ -59,5 +60,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFinalScene)
+const RegisteredTest registered("test_final_scene", runPlain<TestFinalScene>);
+
+} // namespace ripstop::test_final_scene
 #include "test_final_scene.moc"

@@ -7,6 +7,7 @@
 // ways.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "forces/forces.h"
 #include "measure/diagnostics.h"
@@ -23,7 +24,7 @@
 #include <cmath>
 #include <map>
 
-using namespace ripstop;
+namespace ripstop::test_forces {
 
 namespace {
 
@@ -408,5 +409,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestForces)
+const RegisteredTest registered("test_forces", runPlain<TestForces>);
+
+} // namespace ripstop::test_forces
 #include "test_forces.moc"

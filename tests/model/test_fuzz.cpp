@@ -5,6 +5,7 @@
 //
 // What libFuzzer finds in hours (./dev fuzz) becomes a seed, and is looked at here from then on.
 #include "fuzz/fuzz_readers.h"
+#include "registered_test.h"
 
 #include "model/files.h"
 
@@ -18,7 +19,7 @@
 
 #include <unistd.h>
 
-using namespace ripstop;
+namespace ripstop::test_fuzz {
 
 namespace {
 
@@ -164,5 +165,7 @@ private:
     QTemporaryFile m_kept;
 };
 
-QTEST_GUILESS_MAIN(TestFuzz)
+const RegisteredTest registered("test_fuzz", runWithCore<TestFuzz>);
+
+} // namespace ripstop::test_fuzz
 #include "test_fuzz.moc"

@@ -6,6 +6,7 @@
 // guides, turn them, weld them, and count them in rigidity.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "author/rigidity.h"
 #include "compile/compile.h"
@@ -18,7 +19,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_guides {
 
 namespace {
 
@@ -493,5 +494,7 @@ void TestGuides::guidesLeaveOneWay()
     QCOMPARE(askew.redundant, 0);
 }
 
-QTEST_APPLESS_MAIN(TestGuides)
+const RegisteredTest registered("test_guides", runPlain<TestGuides>);
+
+} // namespace ripstop::test_guides
 #include "test_guides.moc"

@@ -5,6 +5,7 @@
 // something is held, and settling.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -23,7 +24,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_hands {
 
 namespace {
 
@@ -470,5 +471,7 @@ private:
     static const char* told2(double got, double expected) { return ripstop::told(got, expected); }
 };
 
-QTEST_APPLESS_MAIN(TestHands)
+const RegisteredTest registered("test_hands", runPlain<TestHands>);
+
+} // namespace ripstop::test_hands
 #include "test_hands.moc"

@@ -2,12 +2,13 @@
 // cases (verify/hangs.cpp).
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_hangs {
 
 class TestHangs : public QObject
 {
@@ -56,5 +57,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHangs)
+const RegisteredTest registered("test_hangs", runPlain<TestHangs>);
+
+} // namespace ripstop::test_hangs
 #include "test_hangs.moc"

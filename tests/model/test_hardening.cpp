@@ -2,10 +2,13 @@
 // position independent, with tables that are read-only once they run, and watched stacks and
 // functions of the C library (CMakeLists.txt). readelf says whether a program is.
 #include "model/files.h"
+#include "registered_test.h"
 
 #include <QFileInfo>
 #include <QProcess>
 #include <QtTest>
+
+namespace ripstop::test_hardening {
 
 class TestHardening : public QObject
 {
@@ -45,5 +48,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHardening)
+const RegisteredTest registered("test_hardening", runWithCore<TestHardening>);
+
+} // namespace ripstop::test_hardening
 #include "test_hardening.moc"

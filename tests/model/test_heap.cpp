@@ -7,6 +7,7 @@
 // steps run uncounted.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "compile/compile.h"
 #include "io/scene_file.h"
@@ -143,7 +144,7 @@ void operator delete[](void* place, std::align_val_t) noexcept { std::free(place
 void operator delete[](void* place, std::size_t, std::align_val_t) noexcept { std::free(place); }
 #endif
 
-using namespace ripstop;
+namespace ripstop::test_heap {
 
 namespace {
 
@@ -404,5 +405,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHeap)
+const RegisteredTest registered("test_heap", runPlain<TestHeap>);
+
+} // namespace ripstop::test_heap
 #include "test_heap.moc"

@@ -6,6 +6,7 @@
 // stand the law of a spring by hand, and work that is shared out among threads.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "constraints/rod_batches.h"
 #include "contact/contact.h"
@@ -21,7 +22,7 @@
 #include <limits>
 #include <numeric>
 
-using namespace ripstop;
+namespace ripstop::test_kernels {
 
 namespace {
 
@@ -402,5 +403,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestKernels)
+const RegisteredTest registered("test_kernels", runPlain<TestKernels>);
+
+} // namespace ripstop::test_kernels
 #include "test_kernels.moc"

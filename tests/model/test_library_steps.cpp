@@ -4,6 +4,7 @@
 // that resources/materials.json has of them; what a step does to masses, and that it is undone;
 // what is refused; and the same from the command line.
 #include "model/material_sheets.h"
+#include "registered_test.h"
 
 #include "io/scene_file.h"
 #include "materials/marks.h"
@@ -16,9 +17,9 @@
 #include <algorithm>
 #include <set>
 
-using namespace ripstop;
-
 Q_DECLARE_METATYPE(ripstop::MaterialStep)
+
+namespace ripstop::test_library_steps {
 
 namespace {
 
@@ -240,5 +241,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLibrarySteps)
+const RegisteredTest registered("test_library_steps", runPlain<TestLibrarySteps>);
+
+} // namespace ripstop::test_library_steps
 #include "test_library_steps.moc"

@@ -4,6 +4,7 @@
 // the terminal speed of a stick and the lean of a loaded line; and which links are lines at all.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "builders/network.h"
 #include "compile/compile.h"
@@ -14,7 +15,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_lines {
 
 namespace {
 
@@ -157,5 +158,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLines)
+const RegisteredTest registered("test_lines", runPlain<TestLines>);
+
+} // namespace ripstop::test_lines
 #include "test_lines.moc"

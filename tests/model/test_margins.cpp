@@ -6,6 +6,7 @@
 #include "measure/margins.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
+#include "registered_test.h"
 #include "run/has_margins.h"
 #include "simulation/simulation.h"
 
@@ -14,7 +15,7 @@
 #include <cmath>
 #include <random>
 
-using namespace ripstop;
+namespace ripstop::test_margins {
 
 namespace {
 
@@ -407,5 +408,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMargins)
+const RegisteredTest registered("test_margins", runPlain<TestMargins>);
+
+} // namespace ripstop::test_margins
 #include "test_margins.moc"

@@ -7,6 +7,7 @@
 #include "materials/presets.h"
 #include "model/cli_call.h"
 #include "model/files.h"
+#include "registered_test.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -15,7 +16,7 @@
 #include <random>
 #include <sstream>
 
-using namespace ripstop;
+namespace ripstop::test_material_test {
 
 namespace {
 
@@ -277,5 +278,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMaterialTest)
+const RegisteredTest registered("test_material_test", runPlain<TestMaterialTest>);
+
+} // namespace ripstop::test_material_test
 #include "test_material_test.moc"

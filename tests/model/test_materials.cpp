@@ -4,6 +4,7 @@
 // several resolutions (material_sheets.h), which have to weigh, stretch and sag alike; and a rope
 // that hangs.
 #include "model/material_sheets.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -24,7 +25,7 @@
 #include <cmath>
 #include <numeric>
 
-using namespace ripstop;
+namespace ripstop::test_materials {
 
 class TestMaterials : public QObject
 {
@@ -182,5 +183,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMaterials)
+const RegisteredTest registered("test_materials", runPlain<TestMaterials>);
+
+} // namespace ripstop::test_materials
 #include "test_materials.moc"

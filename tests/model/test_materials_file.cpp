@@ -8,13 +8,14 @@
 #include "materials/presets.h"
 #include "model/cli_call.h"
 #include "model/files.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_materials_file {
 
 namespace {
 
@@ -242,5 +243,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMaterialsFile)
+const RegisteredTest registered("test_materials_file", runPlain<TestMaterialsFile>);
+
+} // namespace ripstop::test_materials_file
 #include "test_materials_file.moc"

@@ -4,6 +4,7 @@
 // nothing to read; the mean glide; and the hash, which must see any single bit.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "base/hash_text.h"
 #include "base/quantity.h"
@@ -14,7 +15,9 @@
 
 #include <cstring>
 
-using namespace ripstop;
+Q_DECLARE_METATYPE(ripstop::ProbeSpec)
+
+namespace ripstop::test_measure {
 
 namespace {
 
@@ -46,8 +49,6 @@ ProbeSpec probe(Quantity quantity, std::vector<int> particles, std::vector<int> 
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(ripstop::ProbeSpec)
 
 class TestMeasure : public QObject
 {
@@ -205,5 +206,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeasure)
+const RegisteredTest registered("test_measure", runPlain<TestMeasure>);
+
+} // namespace ripstop::test_measure
 #include "test_measure.moc"

@@ -2,6 +2,7 @@
 //
 // Two sheets differ in the number of their rods only: bytes = a n + b m, solved for a and b.
 #include "compile/compile.h"
+#include "registered_test.h"
 #include "scene/scene.h"
 #include "simulation/simulation.h"
 #include "step/stepper.h"
@@ -20,7 +21,7 @@
 #define RIPSTOP_MEASURES 0
 #endif
 
-using namespace ripstop;
+namespace ripstop::test_memory {
 
 namespace {
 
@@ -196,5 +197,7 @@ private:
     Sizes m_many;
 };
 
-QTEST_APPLESS_MAIN(TestMemory)
+const RegisteredTest registered("test_memory", runPlain<TestMemory>);
+
+} // namespace ripstop::test_memory
 #include "test_memory.moc"

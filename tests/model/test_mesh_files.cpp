@@ -5,13 +5,14 @@
 // exported and brought in again.
 #include "model/cli_call.h"
 #include "model/meshes.h"
+#include "registered_test.h"
 #include "shapes/mesh_file.h"
 
 #include <QJsonArray>
 #include <QtTest>
 #include <random>
 
-using namespace ripstop;
+namespace ripstop::test_mesh_files {
 
 class TestMeshFiles : public QObject, MeshFolder
 {
@@ -332,5 +333,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshFiles)
+const RegisteredTest registered("test_mesh_files", runWithCore<TestMeshFiles>);
+
+} // namespace ripstop::test_mesh_files
 #include "test_mesh_files.moc"

@@ -5,12 +5,13 @@
 // and its undo, refusals, cancelling, and the time for a large mesh.
 #include "check/check.h"
 #include "model/meshes.h"
+#include "registered_test.h"
 #include "shapes/mesh_file.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_mesh_import {
 
 class TestMeshImport : public QObject, MeshFolder
 {
@@ -281,5 +282,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshImport)
+const RegisteredTest registered("test_mesh_import", runWithCore<TestMeshImport>);
+
+} // namespace ripstop::test_mesh_import
 #include "test_mesh_import.moc"

@@ -5,6 +5,7 @@
 // the library was called in it; sound files; how the process is found, ended and answered.
 #include "model/cli_call.h"
 #include "model/meshes.h"
+#include "registered_test.h"
 #include "shapes/mesh_answer.h"
 #include "shapes/mesh_process.h"
 
@@ -18,7 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-using namespace ripstop;
+namespace ripstop::test_mesh_process {
 
 namespace {
 
@@ -315,5 +316,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshProcess)
+const RegisteredTest registered("test_mesh_process", runWithCore<TestMeshProcess>);
+
+} // namespace ripstop::test_mesh_process
 #include "test_mesh_process.moc"

@@ -4,11 +4,12 @@
 // Stages: faults are made one by one and have to be reported; then orientation of closed,
 // one-sided and hollow pieces; scale and axes; tolerance, turning over, and texture.
 #include "model/meshes.h"
+#include "registered_test.h"
 #include "shapes/mesh_file.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_mesh_repair {
 
 class TestMeshRepair : public QObject, MeshFolder
 {
@@ -221,5 +222,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshRepair)
+const RegisteredTest registered("test_mesh_repair", runWithCore<TestMeshRepair>);
+
+} // namespace ripstop::test_mesh_repair
 #include "test_mesh_repair.moc"

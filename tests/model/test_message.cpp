@@ -1,9 +1,10 @@
 // Messages: English from a sentence and its parts, and another language from the same parts.
 #include "base/result.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_message {
 
 namespace {
 
@@ -71,5 +72,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMessage)
+const RegisteredTest registered("test_message", runPlain<TestMessage>);
+
+} // namespace ripstop::test_message
 #include "test_message.moc"

@@ -1,6 +1,7 @@
 // The multigrid solver against a sparse Cholesky of Eigen: the same solutions, in a number of
 // iterations that does not grow with the network.
 #include "constraints/multigrid.h"
+#include "registered_test.h"
 
 #include <Eigen/SparseCholesky>
 #include <QtTest>
@@ -10,7 +11,7 @@
 #include <random>
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_multigrid {
 
 namespace {
 
@@ -324,9 +325,9 @@ private slots:
         }
         QCOMPARE(rows, net.nodes);
         const auto stripeOf = [&](int node) {
-            return std::size_t(std::ranges::upper_bound(stripes.list, std::size_t(node), {},
-                                                        &Stripe::first)
-                               - stripes.list.begin())
+            return std::size_t(
+                       std::ranges::upper_bound(stripes.list, std::size_t(node), {}, &Stripe::first)
+                       - stripes.list.begin())
                    - 1;
         };
         std::vector<std::set<std::size_t>> touchedBy(net.nodes); // stripes, by row
@@ -358,5 +359,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMultigrid)
+const RegisteredTest registered("test_multigrid", runPlain<TestMultigrid>);
+
+} // namespace ripstop::test_multigrid
 #include "test_multigrid.moc"

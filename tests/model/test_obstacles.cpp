@@ -7,6 +7,7 @@
 #include "contact/obstacle_motion.h"
 #include "model/obstacles.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
@@ -14,7 +15,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_obstacles {
 
 namespace {
 
@@ -361,5 +362,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestObstacles)
+const RegisteredTest registered("test_obstacles", runPlain<TestObstacles>);
+
+} // namespace ripstop::test_obstacles
 #include "test_obstacles.moc"

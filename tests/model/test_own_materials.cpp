@@ -6,6 +6,7 @@
 #include "materials/presets.h"
 #include "model/cli_call.h"
 #include "model/files.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "io/scene_file.h"
@@ -15,7 +16,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_own_materials {
 
 namespace {
 
@@ -172,5 +173,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOwnMaterials)
+const RegisteredTest registered("test_own_materials", runPlain<TestOwnMaterials>);
+
+} // namespace ripstop::test_own_materials
 #include "test_own_materials.moc"

@@ -8,6 +8,7 @@
 #include "compile/compile.h"
 #include "derived/panel_fabric.h"
 #include "measure/diagnostics.h"
+#include "registered_test.h"
 #include "shaping/operation.h"
 #include "simulation/simulation.h"
 
@@ -18,7 +19,7 @@
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_panel_fabric {
 
 namespace {
 
@@ -312,5 +313,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPanelFabric)
+const RegisteredTest registered("test_panel_fabric", runWithCore<TestPanelFabric>);
+
+} // namespace ripstop::test_panel_fabric
 #include "test_panel_fabric.moc"

@@ -9,13 +9,14 @@
 #include "measure/diagnostics.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 #include "tearing/tear_opening.h"
 #include "tearing/tearing.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_panel_tearing {
 
 namespace {
 
@@ -327,5 +328,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPanelTearing)
+const RegisteredTest registered("test_panel_tearing", runPlain<TestPanelTearing>);
+
+} // namespace ripstop::test_panel_tearing
 #include "test_panel_tearing.moc"

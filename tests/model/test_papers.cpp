@@ -2,6 +2,7 @@
 // and Patenaude 2005): what of it can be seen again, and what comes of its averaging instead of the
 // air. docs/papers.md tells of it.
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 
@@ -9,7 +10,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_papers {
 
 namespace {
 
@@ -103,8 +104,8 @@ private slots:
         QVERIFY(probe(simulation, "height") < 2.0);
     }
 
-    // 6.1: all particles have the same mass. Where cloth and spars weigh what they do, averages take
-    // longer to pass a pull on, and rods are stretched more.
+    // 6.1: all particles have the same mass. Where cloth and spars weigh what they do, averages
+    // take longer to pass a pull on, and rods are stretched more.
     void equalMassesHoldBetter()
     {
         const double even = probe(flown(sample("paper_kite"), 10.0), "max strain");
@@ -170,5 +171,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPapers)
+const RegisteredTest registered("test_papers", runPlain<TestPapers>);
+
+} // namespace ripstop::test_papers
 #include "test_papers.moc"

@@ -2,11 +2,12 @@
 //
 // Stages: paths that are found and the nearest ones that are proposed for others; then assignments
 // of numbers, vectors and texts, and those that are refused with a sentence.
+#include "registered_test.h"
 #include "scene/path.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_path {
 
 namespace {
 
@@ -176,5 +177,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPath)
+const RegisteredTest registered("test_path", runPlain<TestPath>);
+
+} // namespace ripstop::test_path
 #include "test_path.moc"

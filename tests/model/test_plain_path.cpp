@@ -2,10 +2,11 @@
 // flown with both, by the switch RIPSTOP_PLAIN (parallel/simd_pack.h).
 #include "model/cli_call.h"
 #include "parallel/simd_pack.h"
+#include "registered_test.h"
 
 #include <QDir>
 
-using namespace ripstop;
+namespace ripstop::test_plain_path {
 
 namespace {
 
@@ -52,18 +53,20 @@ private slots:
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("RIPSTOP_PLAIN", "1");
         process.setProcessEnvironment(environment);
-        process.start(QCoreApplication::applicationFilePath(), {"--is-wide"});
+        process.start(QCoreApplication::applicationFilePath(), {"test_plain_path", "--is-wide"});
         QVERIFY(process.waitForFinished(30000));
         QCOMPARE(process.exitCode(), 0);
     }
 };
 
-int main(int argc, char** argv)
+static int run(int argc, char** argv)
 {
     if (argc == 2 && std::string_view(argv[1]) == "--is-wide")
         return wideMachine ? 1 : 0;
-    QCoreApplication application(argc, argv);
-    TestPlainPath test;
-    return QTest::qExec(&test, argc, argv);
+    return runWithCore<TestPlainPath>(argc, argv);
 }
+
+const RegisteredTest registered("test_plain_path", run);
+
+} // namespace ripstop::test_plain_path
 #include "test_plain_path.moc"

@@ -3,6 +3,7 @@
 // Stages: published values by hand; the identities that rows of a polar must meet; then the
 // command of ripstop-cli, and its refusals.
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include "compile/resolve.h"
 #include "measure/polar.h"
@@ -12,7 +13,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_polar {
 
 namespace {
 
@@ -125,5 +126,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPolar)
+const RegisteredTest registered("test_polar", runPlain<TestPolar>);
+
+} // namespace ripstop::test_polar
 #include "test_polar.moc"

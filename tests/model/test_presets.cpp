@@ -4,6 +4,7 @@
 // with undo and with particles of unknown mass; one preset after another; and what is refused,
 // also on the command line.
 #include "model/material_sheets.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -24,7 +25,7 @@
 #include <cmath>
 #include <numeric>
 
-using namespace ripstop;
+namespace ripstop::test_presets {
 
 class TestPresets : public QObject
 {
@@ -327,5 +328,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPresets)
+const RegisteredTest registered("test_presets", runPlain<TestPresets>);
+
+} // namespace ripstop::test_presets
 #include "test_presets.moc"

@@ -6,6 +6,7 @@
 #include "check/check.h"
 #include "compile/compile.h"
 #include "derived/formula.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 
 #include <Eigen/Geometry>
@@ -16,7 +17,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_probes {
 
 namespace {
 
@@ -322,5 +323,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProbes)
+const RegisteredTest registered("test_probes", runPlain<TestProbes>);
+
+} // namespace ripstop::test_probes
 #include "test_probes.moc"

@@ -3,6 +3,7 @@
 //
 // Stages: every row is set and read back, accepts its default, and has a help that is a sentence;
 // then names, choices, ids and keys; and the order of the table and of kinds.
+#include "registered_test.h"
 #include "scene/property.h"
 
 #include <QRegularExpression>
@@ -11,7 +12,7 @@
 #include <set>
 #include <string_view>
 
-using namespace ripstop;
+namespace ripstop::test_property {
 
 namespace {
 
@@ -267,5 +268,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProperty)
+const RegisteredTest registered("test_property", runPlain<TestProperty>);
+
+} // namespace ripstop::test_property
 #include "test_property.moc"

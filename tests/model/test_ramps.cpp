@@ -4,6 +4,7 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/diagnostics.h"
+#include "registered_test.h"
 
 #include "edited_flight.h"
 #include "first_item.h"
@@ -11,7 +12,7 @@
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_ramps {
 
 namespace {
 
@@ -282,5 +283,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamps)
+const RegisteredTest registered("test_ramps", runWithCore<TestRamps>);
+
+} // namespace ripstop::test_ramps
 #include "test_ramps.moc"

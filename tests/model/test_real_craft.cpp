@@ -2,8 +2,7 @@
 // that a canopy of cloth stays open by the air in it alone.
 //
 // Stages: what is offered is in the library; masses summed up by hand; the grain of every panel;
-// then flights: the canopy that collapses and the one that opens, its rate of descent, every cloth,
-// and the glider.
+// then flights: the canopy that collapses, the one that opens and how it sinks, cloths, the glider.
 #include "builders/builder.h"
 #include "check/check.h"
 #include "check/strength_gaps.h"
@@ -11,13 +10,14 @@
 #include "derived/flat_panel.h"
 #include "materials/presets.h"
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_real_craft {
 
 namespace {
 
@@ -466,8 +466,7 @@ private slots:
                 const auto found = std::ranges::find(keys, std::uint32_t(edge[node]));
                 return simulation.state().position[std::size_t(found - keys.begin())];
             };
-            const std::size_t rows = (edge.size() - 1) / 2;
-            const std::size_t held = 2 * rows / 3;
+            const std::size_t rows = (edge.size() - 1) / 2, held = 2 * rows / 3;
             const Vec3 straight = at(0) + 1.5 * (at(held) - at(0)); // where a stiff tip would be
             return (at(rows) - straight).norm();
         };
@@ -495,5 +494,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRealCraft)
+const RegisteredTest registered("test_real_craft", runPlain<TestRealCraft>);
+
+} // namespace ripstop::test_real_craft
 #include "test_real_craft.moc"

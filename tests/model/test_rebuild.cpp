@@ -7,6 +7,7 @@
 #include "author/rebuild.h"
 #include "check/check.h"
 #include "io/scene_file.h"
+#include "registered_test.h"
 #include "shaping/insert.h"
 #include "shaping/transform.h"
 
@@ -14,7 +15,7 @@
 
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_rebuild {
 
 namespace {
 
@@ -409,5 +410,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRebuild)
+const RegisteredTest registered("test_rebuild", runPlain<TestRebuild>);
+
+} // namespace ripstop::test_rebuild
 #include "test_rebuild.moc"

@@ -6,6 +6,7 @@
 #include "measure/diagnostics.h"
 #include "model/rich_scene.h"
 #include "model/systems.h"
+#include "registered_test.h"
 #include "run/runner.h"
 #include "simulation/simulation.h"
 #include "simulation/torn_system.h"
@@ -16,7 +17,7 @@
 #include <algorithm>
 #include <thread>
 
-using namespace ripstop;
+namespace ripstop::test_recompile {
 namespace {
 
 // What tears have made of a system is kept by each simulation for itself, so that its address says
@@ -436,5 +437,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecompile)
+const RegisteredTest registered("test_recompile", runPlain<TestRecompile>);
+
+} // namespace ripstop::test_recompile
 #include "test_recompile.moc"

@@ -10,6 +10,7 @@
 #include "recording/compare_runs.h"
 #include "recording/recorder.h"
 #include "recording/replay.h"
+#include "registered_test.h"
 
 #include "cli_call.h"
 #include "compile/update.h"
@@ -29,7 +30,7 @@
 #include <fstream>
 #include <thread>
 
-using namespace ripstop;
+namespace ripstop::test_recording {
 
 namespace {
 
@@ -44,7 +45,7 @@ std::uint32_t firstControl(const Scene& scene)
 }
 
 // Steers, pulls, pins, and edits the design in flight.
-Pilot busyPilot(const Scene& scene)
+RecordedPilot busyPilot(const Scene& scene)
 {
     const std::uint32_t control = firstControl(scene);
     const auto edited = std::make_shared<Scene>(scene);
@@ -435,5 +436,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecording)
+const RegisteredTest registered("test_recording", runWithCore<TestRecording>);
+
+} // namespace ripstop::test_recording
 #include "test_recording.moc"

@@ -5,6 +5,7 @@
 // kite in place of its seams; then every remedy of every value in all designs: it is undone, and
 // the value counts afterwards or has another reason.
 #include "model/material_sheets.h"
+#include "registered_test.h"
 
 #include "author/carry_fabric.h"
 #include "author/remedy.h"
@@ -18,7 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_remedy {
 
 namespace {
 
@@ -229,5 +230,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRemedy)
+const RegisteredTest registered("test_remedy", runPlain<TestRemedy>);
+
+} // namespace ripstop::test_remedy
 #include "test_remedy.moc"

@@ -1,6 +1,7 @@
 // Rods that stretch and are damped, against Kelvin and Voigt's solid: a spring and a damper side by
 // side.
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "assembly/finish.h"
 #include "simulation/simulation.h"
@@ -10,7 +11,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_rod_damping {
 
 namespace {
 
@@ -211,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRodDamping)
+const RegisteredTest registered("test_rod_damping", runPlain<TestRodDamping>);
+
+} // namespace ripstop::test_rod_damping
 #include "test_rod_damping.moc"

@@ -2,12 +2,13 @@
 // (verify/rods.cpp).
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_rods {
 
 namespace {
 
@@ -79,5 +80,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRods)
+const RegisteredTest registered("test_rods", runPlain<TestRods>);
+
+} // namespace ripstop::test_rods
 #include "test_rods.moc"

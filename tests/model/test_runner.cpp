@@ -4,6 +4,7 @@
 // frames that are whole; pace and pauses; commands, trouble, and a prompt stop.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 #include "run/latest_value.h"
@@ -15,7 +16,8 @@
 #include <cstring>
 #include <thread>
 
-using namespace ripstop;
+namespace ripstop::test_runner {
+
 using namespace std::chrono_literals;
 
 namespace {
@@ -372,5 +374,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRunner)
+const RegisteredTest registered("test_runner", runPlain<TestRunner>);
+
+} // namespace ripstop::test_runner
 #include "test_runner.moc"

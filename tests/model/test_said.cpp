@@ -2,10 +2,11 @@
 // names are shown and not done, ends that no fabric can be in are named, and what is built can be
 // read and does something.
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include <QTemporaryDir>
 
-using namespace ripstop;
+namespace ripstop::test_said {
 
 namespace {
 
@@ -211,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSaid)
+const RegisteredTest registered("test_said", runWithCore<TestSaid>);
+
+} // namespace ripstop::test_said
 #include "test_said.moc"

@@ -5,6 +5,7 @@
 // a large file takes.
 #include "model/files.h"
 #include "model/scene_texts.h"
+#include "registered_test.h"
 
 #include "check/check.h"
 #include "io/scene_file.h"
@@ -23,7 +24,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-using namespace ripstop;
+namespace ripstop::test_scene_file {
 
 namespace {
 
@@ -426,5 +427,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSceneFile)
+const RegisteredTest registered("test_scene_file", runPlain<TestSceneFile>);
+
+} // namespace ripstop::test_scene_file
 #include "test_scene_file.moc"

@@ -5,6 +5,7 @@
 // a measurement is known for, each in a test of its own: strips, sheets that tear, pendulum, heavy
 // load, sheets on bodies, curtain, flag.
 #include "model/sample_scenes.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "check/check.h"
@@ -19,7 +20,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_scenes {
 
 class TestScenes : public QObject
 {
@@ -329,5 +330,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestScenes)
+const RegisteredTest registered("test_scenes", runPlain<TestScenes>);
+
+} // namespace ripstop::test_scenes
 #include "test_scenes.moc"

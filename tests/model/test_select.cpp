@@ -4,6 +4,7 @@
 // groups; then conditions, on elements, items and measured quantities, with the words for wrong
 // ones; and the time on a large sheet.
 #include "builders/builder.h"
+#include "registered_test.h"
 #include "scene/units.h"
 #include "select/condition.h"
 #include "select/group.h"
@@ -16,7 +17,7 @@
 #include <numbers>
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_select {
 
 namespace {
 
@@ -469,5 +470,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSelect)
+const RegisteredTest registered("test_select", runPlain<TestSelect>);
+
+} // namespace ripstop::test_select
 #include "test_select.moc"

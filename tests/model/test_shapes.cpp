@@ -4,6 +4,7 @@
 // fields on planes, saddles and ridges; meshes, closed and open; at the end the files that shapes
 // are read from, and what is said of flawed ones.
 #include "model/systems.h"
+#include "registered_test.h"
 #include "shapes/shape_files.h"
 
 #include <QtTest>
@@ -17,7 +18,7 @@
 #include <map>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_shapes {
 
 namespace {
 
@@ -420,5 +421,7 @@ f 4 1 5 8
     }
 };
 
-QTEST_APPLESS_MAIN(TestShapes)
+const RegisteredTest registered("test_shapes", runPlain<TestShapes>);
+
+} // namespace ripstop::test_shapes
 #include "test_shapes.moc"

@@ -2,13 +2,14 @@
 //
 // Stages: rows and columns of a scene and their sorting; then what cells read and show, blocks
 // that are pasted, one value for all, names of items; and what is refused with which words.
+#include "registered_test.h"
 #include "select/sheet.h"
 
 #include <QtTest>
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_sheet {
 
 namespace {
 
@@ -195,5 +196,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSheet)
+const RegisteredTest registered("test_sheet", runPlain<TestSheet>);
+
+} // namespace ripstop::test_sheet
 #include "test_sheet.moc"

@@ -2,11 +2,12 @@
 // that is proposed around a value of any property, the text in which a scene file keeps sliders,
 // and what becomes of sliders whose elements are removed. Every property of the table is tried, so
 // that a new one is covered without a change here.
+#include "registered_test.h"
 #include "scene/slider.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_slider {
 
 namespace {
 
@@ -168,5 +169,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSlider)
+const RegisteredTest registered("test_slider", runPlain<TestSlider>);
+
+} // namespace ripstop::test_slider
 #include "test_slider.moc"

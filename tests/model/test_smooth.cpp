@@ -5,6 +5,7 @@
 // what becomes of rest lengths; then the operation as an edit that can be undone, and its
 // refusals.
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "builders/builder.h"
 #include "shaping/operation.h"
@@ -14,7 +15,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_smooth {
 
 namespace {
 
@@ -222,5 +223,7 @@ void TestSmooth::nothingToSmoothSaysSo()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSmooth)
+const RegisteredTest registered("test_smooth", runPlain<TestSmooth>);
+
+} // namespace ripstop::test_smooth
 #include "test_smooth.moc"

@@ -7,13 +7,14 @@
 #include "derived/tear_bounds.h"
 #include "measure/diagnostics.h"
 #include "model/systems.h"
+#include "registered_test.h"
 #include "run/tear_report.h"
 #include "scene/property.h"
 #include "simulation/simulation.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_snapped_spars {
 
 namespace {
 
@@ -311,5 +312,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSnappedSpars)
+const RegisteredTest registered("test_snapped_spars", runPlain<TestSnappedSpars>);
+
+} // namespace ripstop::test_snapped_spars
 #include "test_snapped_spars.moc"

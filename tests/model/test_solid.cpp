@@ -5,11 +5,12 @@
 // has to be stopped; then the surface that is drawn is compared with its bounds and its extremes.
 // A new shape is covered without a change here.
 #include "model/systems.h"
+#include "registered_test.h"
 #include "shapes/solid.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_solid {
 
 namespace {
 
@@ -150,5 +151,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSolid)
+const RegisteredTest registered("test_solid", runPlain<TestSolid>);
+
+} // namespace ripstop::test_solid
 #include "test_solid.moc"

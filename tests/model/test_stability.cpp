@@ -4,10 +4,11 @@
 // iterations, lengths, tears at once, loose or double elements) with its measure by hand and what
 // its repair does.
 #include "author/stability.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_stability {
 
 namespace {
 
@@ -245,5 +246,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStability)
+const RegisteredTest registered("test_stability", runPlain<TestStability>);
+
+} // namespace ripstop::test_stability
 #include "test_stability.moc"

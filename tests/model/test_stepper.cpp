@@ -5,13 +5,14 @@
 // pendulum.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "assembly/carry_over.h"
 #include "measure/diagnostics.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_stepper {
 
 namespace {
 
@@ -285,5 +286,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStepper)
+const RegisteredTest registered("test_stepper", runPlain<TestStepper>);
+
+} // namespace ripstop::test_stepper
 #include "test_stepper.moc"

@@ -5,11 +5,12 @@
 #include "check/step_limits.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_stiff_springs {
 
 namespace {
 
@@ -216,5 +217,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStiffSprings)
+const RegisteredTest registered("test_stiff_springs", runWithCore<TestStiffSprings>);
+
+} // namespace ripstop::test_stiff_springs
 #include "test_stiff_springs.moc"

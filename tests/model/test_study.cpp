@@ -1,5 +1,6 @@
 // Studies: the points that a plan makes, what is measured, what a ledger keeps, and the map of a
 // tether whose border is known.
+#include "registered_test.h"
 #include "scene/path.h"
 #include "scene/scene.h"
 #include "study/distribution.h"
@@ -17,7 +18,7 @@
 #include <fstream>
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_study {
 
 namespace {
 
@@ -402,5 +403,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStudy)
+const RegisteredTest registered("test_study", runWithCore<TestStudy>);
+
+} // namespace ripstop::test_study
 #include "test_study.moc"

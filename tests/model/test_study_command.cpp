@@ -1,12 +1,13 @@
 // ripstop-cli study, as people call it: shards, kills, longer studies, and what it refuses.
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_study_command {
 
 namespace {
 
@@ -186,5 +187,7 @@ private:
     QByteArray m_table;
 };
 
-QTEST_GUILESS_MAIN(TestStudyCommand)
+const RegisteredTest registered("test_study_command", runWithCore<TestStudyCommand>);
+
+} // namespace ripstop::test_study_command
 #include "test_study_command.moc"

@@ -3,6 +3,7 @@
 // Stages: a table of falls against the formula; times that do not count; the same numbers as from
 // `run`, for any number of jobs; runs that stop; and refusals.
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -10,7 +11,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_sweep {
 
 namespace {
 
@@ -205,5 +206,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSweep)
+const RegisteredTest registered("test_sweep", runWithCore<TestSweep>);
+
+} // namespace ripstop::test_sweep
 #include "test_sweep.moc"

@@ -3,13 +3,14 @@
 // Stages: a part without and with targets, by hand; how a difference of mass is spread; groups;
 // refusals; and the centre of gravity and inertia.
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "author/targets.h"
 #include "shaping/spread_mass.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_targets {
 
 namespace {
 
@@ -136,5 +137,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTargets)
+const RegisteredTest registered("test_targets", runPlain<TestTargets>);
+
+} // namespace ripstop::test_targets
 #include "test_targets.moc"

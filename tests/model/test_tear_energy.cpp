@@ -1,11 +1,12 @@
 // Slits in fabric that tears by energy: the load at which one begins to run is that of fracture
 // mechanics and hangs on no mesh, and from then on nothing stops it.
 #include "model/systems.h"
+#include "registered_test.h"
 #include "verify/slit_sheet.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_tear_energy {
 
 class TestTearEnergy : public QObject
 {
@@ -61,5 +62,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTearEnergy)
+const RegisteredTest registered("test_tear_energy", runPlain<TestTearEnergy>);
+
+} // namespace ripstop::test_tear_energy
 #include "test_tear_energy.moc"

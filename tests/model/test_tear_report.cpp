@@ -4,6 +4,7 @@
 // table is written, and refused where nothing can be written.
 #include "compile/compile.h"
 #include "io/tear_table.h"
+#include "registered_test.h"
 #include "run/tear_events.h"
 #include "run/tear_report.h"
 #include "simulation/simulation.h"
@@ -11,7 +12,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_tear_report {
 
 namespace {
 
@@ -205,5 +206,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTearReport)
+const RegisteredTest registered("test_tear_report", runPlain<TestTearReport>);
+
+} // namespace ripstop::test_tear_report
 #include "test_tear_report.moc"

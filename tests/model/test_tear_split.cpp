@@ -5,6 +5,7 @@
 // second links at a split.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "assembly/split_system.h"
 #include "compile/compile.h"
@@ -24,7 +25,7 @@
 #include <algorithm>
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_tear_split {
 
 namespace {
 
@@ -473,5 +474,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTearSplit)
+const RegisteredTest registered("test_tear_split", runPlain<TestTearSplit>);
+
+} // namespace ripstop::test_tear_split
 #include "test_tear_split.moc"

@@ -5,6 +5,7 @@
 // rules are compared; and at last links that are pressed or have no length.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 
@@ -14,7 +15,7 @@
 
 #include <algorithm>
 
-using namespace ripstop;
+namespace ripstop::test_tearing {
 
 namespace {
 
@@ -299,5 +300,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTearing)
+const RegisteredTest registered("test_tearing", runPlain<TestTearing>);
+
+} // namespace ripstop::test_tearing
 #include "test_tearing.moc"

@@ -5,6 +5,7 @@
 #include "measure/diagnostics.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
+#include "registered_test.h"
 #include "run/tear_report.h"
 #include "simulation/simulation.h"
 #include "verify/tear_sheets.h"
@@ -13,7 +14,7 @@
 
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_torn_panels {
 
 namespace {
 
@@ -203,5 +204,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTornPanels)
+const RegisteredTest registered("test_torn_panels", runPlain<TestTornPanels>);
+
+} // namespace ripstop::test_torn_panels
 #include "test_torn_panels.moc"

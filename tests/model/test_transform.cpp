@@ -4,6 +4,7 @@
 // against distances and areas before and after, with rest lengths kept or bound anew; then
 // colliders, gestures and the time that a large cloth takes. after() checks for each edit that
 // undo gives the scene back.
+#include "registered_test.h"
 #include "shaping/transform.h"
 
 #include "builders/builder.h"
@@ -16,7 +17,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_transform {
 
 namespace {
 
@@ -302,5 +303,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTransform)
+const RegisteredTest registered("test_transform", runWithCore<TestTransform>);
+
+} // namespace ripstop::test_transform
 #include "test_transform.moc"

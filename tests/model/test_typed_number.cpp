@@ -1,13 +1,14 @@
 // Numbers as people type them (scene/typed_number.h): units and arithmetic, changes such as "+10
 // %", vectors, and what is refused with which words. Each case is a row of text, wanted unit and
 // expected number; conversions are exact factors, so decimals have to come out to the last bit.
+#include "registered_test.h"
 #include "scene/property.h"
 #include "scene/typed_number.h"
 #include "scene/units.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_typed_number {
 
 namespace {
 
@@ -241,5 +242,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTypedNumber)
+const RegisteredTest registered("test_typed_number", runPlain<TestTypedNumber>);
+
+} // namespace ripstop::test_typed_number
 #include "test_typed_number.moc"

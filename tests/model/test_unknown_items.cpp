@@ -3,13 +3,14 @@
 // Stages: a scene with two of them, written, edited and written again; many of them; and what
 // points at one.
 #include "model/scene_texts.h"
+#include "registered_test.h"
 
 #include "check/check.h"
 #include "io/scene_file.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_unknown_items {
 
 namespace {
 
@@ -108,5 +109,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestUnknownItems)
+const RegisteredTest registered("test_unknown_items", runWithCore<TestUnknownItems>);
+
+} // namespace ripstop::test_unknown_items
 #include "test_unknown_items.moc"

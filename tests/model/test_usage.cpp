@@ -4,13 +4,14 @@
 // A small scene with one element of each kind is asked for each row why a value is idle; then
 // values are changed, and the answers have to follow: own values in place of the material's,
 // paths, air, and what an edit makes anew.
+#include "registered_test.h"
 #include "scene/items.h"
 #include "scene/path.h"
 #include "scene/usage.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_usage {
 
 namespace {
 
@@ -158,5 +159,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestUsage)
+const RegisteredTest registered("test_usage", runPlain<TestUsage>);
+
+} // namespace ripstop::test_usage
 #include "test_usage.moc"

@@ -3,6 +3,7 @@
 // Stages: texts of each type that are read and those that are refused, with the words of the
 // refusal; limits of properties; that every shown value and every default can be typed again to
 // the last bit; and the nearest word that is proposed for a mistyped one.
+#include "registered_test.h"
 #include "scene/property.h"
 
 #include <QtTest>
@@ -10,9 +11,9 @@
 #include <cmath>
 #include <limits>
 
-using namespace ripstop;
-
 Q_DECLARE_METATYPE(ripstop::Value)
+
+namespace ripstop::test_value {
 
 namespace {
 
@@ -293,5 +294,7 @@ private slots:
     void nearestOfNothing() { QVERIFY(nearest("mass", {}).empty()); }
 };
 
-QTEST_APPLESS_MAIN(TestValue)
+const RegisteredTest registered("test_value", runPlain<TestValue>);
+
+} // namespace ripstop::test_value
 #include "test_value.moc"

@@ -2,6 +2,7 @@
 //
 // Stages: every case is run and has to hold; then the list (ids, texts, filter) and how tolerances
 // and results are put into words; the references; and the command itself.
+#include "registered_test.h"
 #include "verify/case.h"
 #include "verify/reference.h"
 #include "verify/text.h"
@@ -16,7 +17,7 @@
 #include <limits>
 #include <set>
 
-using namespace ripstop;
+namespace ripstop::test_verify {
 
 class TestVerify : public QObject
 {
@@ -200,5 +201,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestVerify)
+const RegisteredTest registered("test_verify", runWithCore<TestVerify>);
+
+} // namespace ripstop::test_verify
 #include "test_verify.moc"

@@ -5,6 +5,7 @@
 // blame.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "measure/diagnostics.h"
 #include "simulation/simulation.h"
@@ -12,7 +13,7 @@
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_watchdog {
 
 namespace {
 
@@ -178,5 +179,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWatchdog)
+const RegisteredTest registered("test_watchdog", runPlain<TestWatchdog>);
+
+} // namespace ripstop::test_watchdog
 #include "test_watchdog.moc"

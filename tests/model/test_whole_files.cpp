@@ -5,6 +5,7 @@
 #include "base/new_file.h"
 #include "io/recording_file.h"
 #include "model/cli_call.h"
+#include "registered_test.h"
 
 #include <QDirIterator>
 #include <QTemporaryDir>
@@ -15,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-using namespace ripstop;
+namespace ripstop::test_whole_files {
 
 namespace {
 
@@ -355,5 +356,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWholeFiles)
+const RegisteredTest registered("test_whole_files", runWithCore<TestWholeFiles>);
+
+} // namespace ripstop::test_whole_files
 #include "test_whole_files.moc"

@@ -5,6 +5,7 @@
 // what panels and lines meet where several winds add up.
 #include "assembly/finish.h"
 #include "model/systems.h"
+#include "registered_test.h"
 
 #include "assembly/carry_over.h"
 #include "base/portable_math.h"
@@ -20,7 +21,7 @@
 #include <complex>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_wind {
 
 namespace {
 
@@ -407,5 +408,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWind)
+const RegisteredTest registered("test_wind", runPlain<TestWind>);
+
+} // namespace ripstop::test_wind
 #include "test_wind.moc"

@@ -11,6 +11,7 @@
 #include "laws/vortex_wing.h"
 #include "measure/diagnostics.h"
 #include "measure/polar.h"
+#include "registered_test.h"
 #include "simulation/simulation.h"
 #include "verify/case.h"
 #include "verify/small_systems.h"
@@ -21,7 +22,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_wings {
 
 namespace {
 
@@ -292,5 +293,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWings)
+const RegisteredTest registered("test_wings", runPlain<TestWings>);
+
+} // namespace ripstop::test_wings
 #include "test_wings.moc"

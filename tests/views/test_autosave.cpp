@@ -8,6 +8,7 @@
 #include "document/document.h"
 #include "document/follower.h"
 #include "document/rescue.h"
+#include "registered_test.h"
 #include "small_scenes.h"
 
 #include <QProcess>
@@ -17,7 +18,7 @@
 #include <csignal>
 #include <filesystem>
 
-using namespace ripstop;
+namespace ripstop::test_autosave {
 
 namespace {
 
@@ -135,7 +136,8 @@ private slots:
         QVERIFY(!original.save(file));
         const QString unsaved = folder.path();
         QProcess program;
-        program.start(QCoreApplication::applicationFilePath(), {crashing, unsaved});
+        program.start(QCoreApplication::applicationFilePath(),
+                      {"test_autosave", crashing, unsaved});
         QVERIFY(program.waitForFinished(30000));
         QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
@@ -219,7 +221,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
+static int run(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     if (application.arguments().value(1) == crashing)
@@ -228,4 +230,7 @@ int main(int argc, char** argv)
     return QTest::qExec(&test, argc, argv);
 }
 
+const RegisteredTest registered("test_autosave", run);
+
+} // namespace ripstop::test_autosave
 #include "test_autosave.moc"

@@ -4,6 +4,7 @@
 // fields; colliders without a size; then rays at the ground, a cylinder and a box.
 #include "derived/collider_shape.h"
 #include "look/collider_geometry.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
@@ -11,7 +12,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_collider_geometry {
 
 namespace {
 
@@ -182,5 +183,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestColliderGeometry)
+const RegisteredTest registered("test_collider_geometry", runPlain<TestColliderGeometry>);
+
+} // namespace ripstop::test_collider_geometry
 #include "test_collider_geometry.moc"

@@ -8,6 +8,7 @@
 #include "plots/curve_views.h"
 #include "plots/plot_panel.h"
 #include "plots/spectrum.h"
+#include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
 #include <QTemporaryDir>
@@ -18,7 +19,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_curves {
 
 namespace {
 
@@ -203,5 +204,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCurves)
+const RegisteredTest registered("test_curves", runWithWidgets<TestCurves>);
+
+} // namespace ripstop::test_curves
 #include "test_curves.moc"

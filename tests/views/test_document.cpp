@@ -4,6 +4,7 @@
 // scene, alone and in a long history; what is told of changes; files and what is remembered of
 // them; the selection when things vanish; and the words for elements and their readings.
 #include "document/document.h"
+#include "views/run_with_widgets.h"
 
 #include "compile/compile.h"
 #include "document/measurement.h"
@@ -16,7 +17,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_document {
 
 namespace {
 
@@ -333,5 +334,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestDocument)
+const RegisteredTest registered("test_document", runWithWidgets<TestDocument>);
+
+} // namespace ripstop::test_document
 #include "test_document.moc"

@@ -6,13 +6,14 @@
 #include "document/document.h"
 #include "look/scene_frame.h"
 #include "tools/draw_tool.h"
+#include "views/run_with_widgets.h"
 
 #include <QMouseEvent>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_draw_tool {
 
 namespace {
 
@@ -188,5 +189,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestDrawTool)
+const RegisteredTest registered("test_draw_tool", runWithWidgets<TestDrawTool>);
+
+} // namespace ripstop::test_draw_tool
 #include "test_draw_tool.moc"

@@ -2,6 +2,7 @@
 // are, where they end, and what a certified recording brings.
 #include "run/certify.h"
 #include "views/plot_desk.h"
+#include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
 #include <QBuffer>
@@ -11,7 +12,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_error_bands {
 
 namespace {
 
@@ -221,5 +222,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestErrorBands)
+const RegisteredTest registered("test_error_bands", runWithWidgets<TestErrorBands>);
+
+} // namespace ripstop::test_error_bands
 #include "test_error_bands.moc"

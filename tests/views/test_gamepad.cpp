@@ -6,6 +6,7 @@
 #include "document/player.h"
 #include "small_scenes.h"
 #include "transport/gamepad.h"
+#include "views/run_with_widgets.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -15,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-using namespace ripstop;
+namespace ripstop::test_gamepad {
 
 namespace {
 
@@ -112,5 +113,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGamepad)
+const RegisteredTest registered("test_gamepad", runWithWidgets<TestGamepad>);
+
+} // namespace ripstop::test_gamepad
 #include "test_gamepad.moc"

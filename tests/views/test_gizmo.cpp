@@ -11,13 +11,14 @@
 #include "overlays/centre_mark.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
+#include "views/run_with_widgets.h"
 
 #include "small_scenes.h"
 #include "thread_time.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_gizmo {
 
 namespace {
 
@@ -370,5 +371,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGizmo)
+const RegisteredTest registered("test_gizmo", runWithWidgets<TestGizmo>);
+
+} // namespace ripstop::test_gizmo
 #include "test_gizmo.moc"

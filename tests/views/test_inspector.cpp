@@ -15,6 +15,7 @@
 #include "scene/edit.h"
 #include "scene/path.h"
 #include "small_scenes.h"
+#include "views/run_with_widgets.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,7 +25,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_inspector {
 
 namespace {
 
@@ -424,5 +425,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestInspector)
+const RegisteredTest registered("test_inspector", runWithWidgets<TestInspector>);
+
+} // namespace ripstop::test_inspector
 #include "test_inspector.moc"

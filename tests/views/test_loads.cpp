@@ -6,13 +6,14 @@
 #include "loads/load_list.h"
 #include "loads/load_panel.h"
 #include "small_scenes.h"
+#include "views/run_with_widgets.h"
 
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_loads {
 
 namespace {
 
@@ -128,5 +129,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLoads)
+const RegisteredTest registered("test_loads", runWithWidgets<TestLoads>);
+
+} // namespace ripstop::test_loads
 #include "test_loads.moc"

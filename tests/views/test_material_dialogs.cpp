@@ -13,6 +13,7 @@
 #include "materials/presets.h"
 #include "model/files.h"
 #include "scene/path.h"
+#include "views/run_with_widgets.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -23,7 +24,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_material_dialogs {
 
 namespace {
 
@@ -200,5 +201,7 @@ private:
     std::unique_ptr<QTemporaryDir> m_home;
 };
 
-QTEST_MAIN(TestMaterialDialogs)
+const RegisteredTest registered("test_material_dialogs", runWithWidgets<TestMaterialDialogs>);
+
+} // namespace ripstop::test_material_dialogs
 #include "test_material_dialogs.moc"

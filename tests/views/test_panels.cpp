@@ -15,6 +15,7 @@
 #include "start/start_page.h"
 #include "transport/control_strip.h"
 #include "transport/transport.h"
+#include "views/run_with_widgets.h"
 
 #include <QBuffer>
 #include <QDialogButtonBox>
@@ -27,7 +28,7 @@
 #include <QTreeWidget>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_panels {
 
 namespace {
 
@@ -317,5 +318,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPanels)
+const RegisteredTest registered("test_panels", runWithWidgets<TestPanels>);
+
+} // namespace ripstop::test_panels
 #include "test_panels.moc"

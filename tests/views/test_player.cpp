@@ -7,13 +7,14 @@
 #include "document/player.h"
 #include "simulation/simulation.h"
 #include "small_scenes.h"
+#include "views/run_with_widgets.h"
 
 #include "compile/compile.h"
 
 #include <QSignalSpy>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_player {
 
 namespace {
 
@@ -342,5 +343,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPlayer)
+const RegisteredTest registered("test_player", runWithWidgets<TestPlayer>);
+
+} // namespace ripstop::test_player
 #include "test_player.moc"

@@ -6,6 +6,7 @@
 // of ten minutes.
 #include "thread_time.h"
 #include "views/plot_desk.h"
+#include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
 #include <QTemporaryDir>
@@ -15,7 +16,7 @@
 
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_plots {
 
 namespace {
 
@@ -277,5 +278,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPlots)
+const RegisteredTest registered("test_plots", runWithWidgets<TestPlots>);
+
+} // namespace ripstop::test_plots
 #include "test_plots.moc"

@@ -12,7 +12,7 @@
 #include "tools/pointing.h"
 #include "tools/region_tool.h"
 #include "viewport/viewport.h"
-#include "views/run_with_view.h"
+#include "views/run_with_widgets.h"
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
@@ -20,7 +20,7 @@
 
 #include <ctime>
 
-using namespace ripstop;
+namespace ripstop::test_region_select {
 
 namespace {
 
@@ -476,5 +476,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestRegionSelect>(argc, argv); }
+const RegisteredTest registered("test_region_select", runWithView<TestRegionSelect>);
+
+} // namespace ripstop::test_region_select
 #include "test_region_select.moc"

@@ -9,6 +9,7 @@
 #include "io/scene_file.h"
 #include "model/cli_call.h"
 #include "plots/plot_panel.h"
+#include "views/run_with_widgets.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -18,7 +19,7 @@
 #include <cmath>
 #include <map>
 
-using namespace ripstop;
+namespace ripstop::test_same_numbers {
 
 namespace {
 
@@ -196,5 +197,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSameNumbers)
+const RegisteredTest registered("test_same_numbers", runWithWidgets<TestSameNumbers>);
+
+} // namespace ripstop::test_same_numbers
 #include "test_same_numbers.moc"

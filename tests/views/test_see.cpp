@@ -9,6 +9,7 @@
 #include "look/vectors.h"
 #include "overlays/legend.h"
 #include "overlays/range_editor.h"
+#include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
 #include <QLineEdit>
@@ -17,7 +18,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace ripstop;
+namespace ripstop::test_see {
 
 namespace {
 
@@ -322,5 +323,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSee)
+const RegisteredTest registered("test_see", runWithWidgets<TestSee>);
+
+} // namespace ripstop::test_see
 #include "test_see.moc"

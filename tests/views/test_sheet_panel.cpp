@@ -8,6 +8,7 @@
 #include "document/selection.h"
 #include "small_scenes.h"
 #include "table/sheet_panel.h"
+#include "views/run_with_widgets.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -18,7 +19,7 @@
 #include <QTableView>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_sheet_panel {
 
 namespace {
 
@@ -193,5 +194,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSheetPanel)
+const RegisteredTest registered("test_sheet_panel", runWithWidgets<TestSheetPanel>);
+
+} // namespace ripstop::test_sheet_panel
 #include "test_sheet_panel.moc"

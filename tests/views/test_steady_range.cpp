@@ -1,12 +1,13 @@
 // The range of the colours: close to the values, and calm.
 #include "look/steady_range.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 
-using namespace ripstop;
+namespace ripstop::test_steady_range {
 
 class TestSteadyRange : public QObject
 {
@@ -81,5 +82,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSteadyRange)
+const RegisteredTest registered("test_steady_range", runPlain<TestSteadyRange>);
+
+} // namespace ripstop::test_steady_range
 #include "test_steady_range.moc"

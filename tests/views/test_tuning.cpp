@@ -15,6 +15,7 @@
 #include "materials/presets.h"
 #include "small_scenes.h"
 #include "thread_time.h"
+#include "views/run_with_widgets.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -24,7 +25,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_tuning {
 
 namespace {
 
@@ -438,5 +439,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTuning)
+const RegisteredTest registered("test_tuning", runWithWidgets<TestTuning>);
+
+} // namespace ripstop::test_tuning
 #include "test_tuning.moc"

@@ -4,7 +4,7 @@
 // torn panels, following cameras, clicks, fitting beside what is covered, drags of hands and
 // controls, turning and zooming; at the end the design of every builder has to fit the picture.
 #include "viewport/viewport.h"
-#include "views/run_with_view.h"
+#include "views/run_with_widgets.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -23,7 +23,7 @@
 
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_viewport {
 
 namespace {
 
@@ -342,5 +342,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestViewport>(argc, argv); }
+const RegisteredTest registered("test_viewport", runWithView<TestViewport>);
+
+} // namespace ripstop::test_viewport
 #include "test_viewport.moc"

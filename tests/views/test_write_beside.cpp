@@ -2,11 +2,12 @@
 // (document/write_beside.h).
 #include "document/write_beside.h"
 #include "model/files.h"
+#include "registered_test.h"
 
 #include <QDir>
 #include <QTemporaryDir>
 
-using namespace ripstop;
+namespace ripstop::test_write_beside {
 
 class TestWriteBeside : public QObject
 {
@@ -43,5 +44,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWriteBeside)
+const RegisteredTest registered("test_write_beside", runWithCore<TestWriteBeside>);
+
+} // namespace ripstop::test_write_beside
 #include "test_write_beside.moc"
