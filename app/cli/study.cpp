@@ -1,27 +1,20 @@
 // ripstop-cli study: new, run, status, merge and slurm.
 //
-// run flies the points of its shard that no ledger has; merge and status look up the rows of all
-// points. A point that diverges is a row that says so, and never the end.
+// run flies the points of its shard that no ledger has (study/study_run.h); merge and status look up
+// the rows of all points.
 #include "cli/commands.h"
-#include "cli/many.h"
-#include "cli/opened_study.h"
-#include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
 #include "cli/targets.h"
-#include "io/csv.h"
-#include "io/json_text.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
 #include "scene/path.h"
-#include "study/ledger.h"
+#include "study/study_run.h"
+#include "study/study_table.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <mutex>
-#include <set>
 #include <thread>
 
 namespace ripstop {
@@ -29,48 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Shard // the points i with i % count == place
-{
-    std::size_t place = 0;
-    std::size_t count = 1;
-};
-
-// --- run ----------------------------------------------------------------------------------------
-
-std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point)
-{
-    Scene scene = opened.scene;
-    if (const auto failure = assign(scene, opened.assignments(point))) {
-        FlightResult none;
-        none.measured.assign(opened.plan.measures.size(), std::nan(""));
-        none.stopped = failure->message.english();
-        return none;
-    }
-    return fly(scene, opened.controls, opened.plan);
-}
-
 std::string pointsText(std::size_t some, std::size_t all)
 {
     return std::to_string(some) + " of " + std::to_string(all) + " points";
-}
-
-// The points of the shard that no ledger has; points that are alike are flown once.
-std::vector<std::size_t> missing(const OpenedStudy& opened, const LedgerRows& rows,
-                                 const Shard& shard)
-{
-    std::vector<std::size_t> points;
-    std::set<std::string> keys;
-    for (std::size_t i = shard.place; i < opened.points.count(); i += shard.count) {
-        std::string key = opened.key(i);
-        if (!rows.contains(key) && keys.insert(std::move(key)).second)
-            points.push_back(i);
-    }
-    return points;
-}
-
-std::string shardName(const Shard& shard)
-{
-    return "shard-" + std::to_string(shard.place + 1) + "-of-" + std::to_string(shard.count);
 }
 
 int runStudy(const std::string& file, const std::string& shardText, int jobs)
@@ -88,44 +42,27 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
     const auto opened = openStudy(file);
     if (!opened)
         return fail(BadInput, opened.message());
-    const fs::path folder = ledgerFolder(file);
-    const auto known = readLedgers(folder);
+    const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
-    const std::vector<std::size_t> points = missing(*opened, known->rows, shard);
+    const std::vector<std::size_t> points = missingPoints(*opened, known->rows, shard);
     if (points.empty()) {
         std::cerr << "All points are flown already.\n";
         return Done;
     }
-    auto ledger = Ledger::open(folder, shardName(shard), opened->headings);
-    if (!ledger)
-        return fail(BadInput, ledger.message());
-
-    std::optional<Failure> failure;
-    std::mutex mutex;
-    std::size_t done = 0, stopped = 0, torn = 0;
     ProgressLine progress("study");
-    forEachOfMany(points.size(), jobs, [&](std::size_t i) {
-        const auto flight = flyPoint(*opened, points[i]);
-        const std::string key = opened->key(points[i]);
-        const std::lock_guard lock(mutex);
-        if (!flight || failure)
-            return false;
-        failure = ledger->add(key, *flight);
-        if (failure)
-            return false;
-        stopped += !flight->stopped.empty() || !flight->absurd.empty();
-        torn += flight->torn > 0;
-        progress.show(double(++done) / double(points.size()));
-        return true;
-    });
-    if (failure)
-        return fail(BadInput, failure->message);
-    if (done < points.size())
-        return fail(Interrupted, "Interrupted; " + pointsText(done, points.size())
+    const auto tally =
+        flyPoints(*opened, points, shard, jobs, interrupted,
+                  [&](std::size_t, const FlightResult&, const StudyTally& now) {
+                      progress.show(double(now.flown) / double(points.size()));
+                  });
+    if (!tally)
+        return fail(BadInput, tally.message());
+    if (tally->flown < points.size())
+        return fail(Interrupted, "Interrupted; " + pointsText(tally->flown, points.size())
                                      + " of this run are flown and kept. Run it again to go on.");
-    std::cerr << "Flown: " << done << "; something tore in " << torn << ", " << stopped
-              << " ended early.\n";
+    std::cerr << "Flown: " << tally->flown << "; something tore in " << tally->torn << ", "
+              << tally->stopped << " ended early.\n";
     return Done;
 }
 
@@ -139,13 +76,7 @@ int status(const std::string& file, bool json)
     const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
-    std::size_t flown = 0, torn = 0, stopped = 0;
-    for (std::size_t i = 0; i < opened->points.count(); ++i)
-        if (const auto row = known->rows.find(opened->key(i)); row != known->rows.end()) {
-            ++flown;
-            torn += row->second.torn > 0;
-            stopped += !row->second.stopped.empty() || !row->second.absurd.empty();
-        }
+    const auto [flown, torn, stopped] = tallyOf(*opened, known->rows);
     const std::size_t all = opened->points.count();
     if (json) {
         print({{"points", all},
@@ -167,36 +98,6 @@ int status(const std::string& file, bool json)
     return Done;
 }
 
-std::string studyHeader(const OpenedStudy& opened)
-{
-    std::string text = "# Ripstop " RIPSTOP_VERSION "; " + opened.study.scene + "; each until ";
-    appendNumber(text, opened.plan.seconds);
-    text += opened.plan.untilTear ? " s or its first tear\npoint" : " s\npoint";
-    for (const StudyVariable& variable : opened.study.variables)
-        text += ',' + csvCell(variable.name);
-    text += ",time (s),steps,hash,torn links,first tear (s),first tear load,first torn,stopped";
-    for (const std::string& heading : opened.headings)
-        text += ',' + csvCell(heading);
-    return text + '\n';
-}
-
-std::string studyLine(const OpenedStudy& opened, std::size_t point, const FlightResult& flight)
-{
-    std::string text = std::to_string(point);
-    for (const std::string& value : opened.points.values(point))
-        text += ',' + csvCell(value);
-    appendCell(text, flight.time);
-    text +=
-        ',' + std::to_string(flight.steps) + ',' + flight.hash + ',' + std::to_string(flight.torn);
-    appendCell(text, flight.firstTear);
-    appendCell(text, flight.firstTearLoad);
-    text += flight.torn > 0 ? ',' + std::to_string(flight.firstTorn) : ",";
-    text += ',' + csvCell(flight.stopped.empty() ? flight.absurd : flight.stopped);
-    for (std::size_t i = 0; i < opened.headings.size(); ++i)
-        appendCell(text, i < flight.measured.size() ? flight.measured[i] : std::nan(""));
-    return text + '\n';
-}
-
 int merge(const std::string& file, const std::string& output)
 {
     const auto opened = openStudy(file);
@@ -209,18 +110,13 @@ int merge(const std::string& file, const std::string& output)
     const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
-    std::string table = studyHeader(*opened);
-    std::size_t flown = 0;
-    for (std::size_t i = 0; i < opened->points.count(); ++i)
-        if (const auto row = known->rows.find(opened->key(i)); row != known->rows.end()) {
-            table += studyLine(*opened, i, row->second);
-            ++flown;
-        }
+    const std::string table = studyTable(*opened, known->rows);
     if (output.empty())
         std::cout << table;
     else if (const auto failure = replaceFile(output, table))
         return fail(BadInput, failure->message);
-    std::cerr << "The table has " << pointsText(flown, opened->points.count()) << ".\n";
+    std::cerr << "The table has "
+              << pointsText(tallyOf(*opened, known->rows).flown, opened->points.count()) << ".\n";
     return Done;
 }
 

@@ -6,7 +6,7 @@
 // that is interrupted leaves all runs that were done. prepare() refuses what it can before the
 // first run.
 #include "cli/commands.h"
-#include "cli/many.h"
+#include "study/many.h"
 #include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
 #include "cli/targets.h"

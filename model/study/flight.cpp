@@ -4,6 +4,7 @@
 #include "base/hash_text.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
+#include "recording/recorder.h"
 #include "run/end_check.h"
 #include "run/tear_report.h"
 #include "simulation/simulation.h"
@@ -63,7 +64,7 @@ std::vector<Layout::Probe> namedProbes(const Simulation& simulation)
 } // namespace
 
 std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls,
-                                const FlightPlan& plan)
+                                const FlightPlan& plan, Recorder* recorder)
 {
     FlightResult flight;
     flight.measured.assign(plan.measures.size(), std::numeric_limits<double>::quiet_NaN());
@@ -79,11 +80,18 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
     Readers readers(plan.measures.empty() ? usualMeasures(flight.probes, plan.from) : plan.measures,
                     flight.probes);
     readers.take(simulation, timeStep);
+    if (recorder)
+        recorder->loaded(simulation, {std::make_shared<const Scene>(scene), {}});
     while (!hasReached(simulation.state().time, plan.seconds, timeStep)) {
         if (plan.isInterrupted())
             return std::nullopt;
         player.giveTo(simulation);
-        if (!simulation.step()) {
+        if (recorder)
+            recorder->beforeStep(simulation);
+        const bool couldStep = simulation.step();
+        if (recorder)
+            recorder->afterStep(simulation);
+        if (!couldStep) {
             flight.stopped = simulation.trouble()->message.english();
             break;
         }
@@ -91,6 +99,8 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
         if (plan.untilTear && !simulation.state().tears.empty())
             break;
     }
+    if (recorder)
+        recorder->finish();
     flight.time = simulation.state().time;
     flight.steps = simulation.state().step;
     flight.hash = hashText(stateHash(simulation.state()));

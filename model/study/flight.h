@@ -14,6 +14,8 @@
 
 namespace ripstop {
 
+class Recorder; // recording/recorder.h
+
 struct FlightPlan
 {
     double seconds = 0.0; // s
@@ -37,12 +39,15 @@ struct FlightResult
     std::string absurd;                // what its end cannot be; empty when it can
     std::vector<double> measured;      // [measures] not a number where nothing counted
     std::vector<Layout::Probe> probes; // with names that tell them apart
+
+    bool endedEarly() const { return !whyEarly().empty(); } // or in what cannot be
+    const std::string& whyEarly() const { return stopped.empty() ? absurd : stopped; }
 };
 
 // Flies it. What cannot be compiled or diverges is a flight that says so; nothing comes back when
-// it was interrupted.
+// it was interrupted. A recorder keeps the flight, frame by frame.
 std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls,
-                                const FlightPlan& plan);
+                                const FlightPlan& plan, Recorder* recorder = nullptr);
 
 // The probes of a scene, with names that tell them apart, and their units.
 Result<std::vector<Layout::Probe>> probesOf(const Scene& scene);

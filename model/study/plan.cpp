@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-using Kind = StudyPlan::Kind;
+using PlanKind = StudyPlan::Kind;
 
 // A number for each point and variable, all of them as good as independent.
 std::uint64_t bitsOf(std::uint64_t seed, std::uint64_t point, std::uint64_t variable)
@@ -107,12 +107,12 @@ double countOf(const Study& study)
 {
     double count = 1.0;
     for (const StudyVariable& variable : study.variables) {
-        if (study.plan.kind == Kind::Grid)
+        if (study.plan.kind == PlanKind::Grid)
             count *= double(variable.values.size());
-        else if (study.plan.kind == Kind::OneAtATime)
+        else if (study.plan.kind == PlanKind::OneAtATime)
             count += double(variable.values.size()) - 1.0;
     }
-    const bool isOfValues = study.plan.kind == Kind::Grid || study.plan.kind == Kind::OneAtATime;
+    const bool isOfValues = study.plan.kind == PlanKind::Grid || study.plan.kind == PlanKind::OneAtATime;
     return isOfValues ? count : double(study.plan.count);
 }
 
@@ -127,18 +127,18 @@ Result<StudyPoints> StudyPoints::of(const Study& study)
         return Failure("The plan has %1 points; a study has up to %2.",
                        Message::number("%.4g", count), Message::number("%.4g", mostStudyPoints));
     points.m_count = std::size_t(count);
-    if (study.plan.kind == Kind::Points) {
+    if (study.plan.kind == PlanKind::Points) {
         auto rows = readPoints(study);
         if (!rows)
             return rows.failure();
         points.m_rows = std::move(*rows);
         points.m_count = points.m_rows.size();
     }
-    if (study.plan.kind == Kind::Sobol && study.variables.size() > sobolDimensions)
+    if (study.plan.kind == PlanKind::Sobol && study.variables.size() > sobolDimensions)
         return Failure("A plan of Sobol' has up to %1 variables, and this study %2; take "
                        "latin_hypercube.",
                        sobolDimensions, study.variables.size());
-    if (study.plan.kind == Kind::LatinHypercube)
+    if (study.plan.kind == PlanKind::LatinHypercube)
         for (std::size_t v = 0; v < study.variables.size(); ++v)
             points.m_strata.push_back(shuffled(points.m_count, study.plan.seed, v));
     return points;
@@ -148,9 +148,9 @@ double StudyPoints::share(std::size_t point, std::size_t variable) const
 {
     const std::uint64_t bits = bitsOf(m_study.plan.seed, point, variable);
     switch (m_study.plan.kind) {
-    case Kind::LatinHypercube:
+    case PlanKind::LatinHypercube:
         return (double(m_strata[variable][point]) + shareOf(bits)) / double(m_count);
-    case Kind::Sobol: {
+    case PlanKind::Sobol: {
         const std::uint64_t shift = bitsOf(m_study.plan.seed ^ 0x50b0'1234, 0, variable) >> 32;
         const std::uint32_t place = sobolPoint(point, variable) ^ std::uint32_t(shift);
         return (double(place) + 0.5) / 4294967296.0;
@@ -171,11 +171,11 @@ std::string StudyPoints::drawn(std::size_t variable, double share) const
 
 std::vector<std::string> StudyPoints::values(std::size_t point) const
 {
-    if (m_study.plan.kind == Kind::Points)
+    if (m_study.plan.kind == PlanKind::Points)
         return m_rows[point];
     const std::vector<StudyVariable>& variables = m_study.variables;
     std::vector<std::string> all(variables.size());
-    if (m_study.plan.kind == Kind::Grid) { // the last variable changes fastest
+    if (m_study.plan.kind == PlanKind::Grid) { // the last variable changes fastest
         for (std::size_t v = variables.size(); v-- > 0;) {
             const std::vector<std::string>& values = variables[v].values;
             all[v] = values[point % values.size()];
@@ -183,7 +183,7 @@ std::vector<std::string> StudyPoints::values(std::size_t point) const
         }
         return all;
     }
-    if (m_study.plan.kind == Kind::OneAtATime) {
+    if (m_study.plan.kind == PlanKind::OneAtATime) {
         std::size_t first = 1; // point of the variable's second value
         for (std::size_t v = 0; v < variables.size(); ++v) {
             const std::size_t others = variables[v].values.size() - 1;

@@ -1,5 +1,5 @@
 // Each thread takes the next number there is.
-#include "cli/many.h"
+#include "study/many.h"
 
 #include <atomic>
 #include <thread>

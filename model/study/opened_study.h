@@ -1,4 +1,5 @@
-// A study with all that its flights need, made once: what the commands of `study` share.
+// A study with all that its flights need, made once: what the commands of `study` and the study
+// panel of the window share.
 #pragma once
 
 #include "base/result.h"
@@ -24,6 +25,7 @@ struct OpenedStudy
     FlightPlan plan;
     FlightKeys keys;
     std::vector<std::string> headings; // [measures]
+    std::filesystem::path file;
     std::filesystem::path sceneFile;
     std::filesystem::path controlsFile; // or empty
 
@@ -42,6 +44,9 @@ struct OpenedStudy
 
 // Refuses with a sentence what cannot be: files that cannot be read, properties, values and probes
 // that are not there. Nothing is flown.
-Result<OpenedStudy> openStudy(const std::string& file);
+Result<OpenedStudy> openStudy(const std::filesystem::path& file);
+
+// The scene of a point. Fails when a value cannot be set.
+Result<Scene> sceneOf(const OpenedStudy& opened, std::size_t point);
 
 } // namespace ripstop

@@ -1,10 +1,9 @@
 // openStudy() reads study, scene, points and controls in this order, then looks at what the study
 // measures and at what it sets before it makes the keys of its flights.
-#include "cli/opened_study.h"
+#include "study/opened_study.h"
 
 #include "io/scene_file.h"
 #include "scene/path.h"
-#include "terminal/terminal.h"
 
 #include <algorithm>
 
@@ -14,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Names of the measures with their units, and the measures where the study names none.
-std::optional<Failure> nameMeasures(OpenedStudy& opened, const std::string& file)
+std::optional<Failure> nameMeasures(OpenedStudy& opened)
 {
     const auto probes = probesOf(opened.scene);
     if (!probes)
@@ -27,7 +26,8 @@ std::optional<Failure> nameMeasures(OpenedStudy& opened, const std::string& file
             std::string all;
             for (const Layout::Probe& one : *probes)
                 all += (all.empty() ? "" : ", ") + one.name;
-            return Failure("%1 measures the probe %2, and the scene has: %3.", file, measure.probe,
+            return Failure("%1 measures the probe %2, and the scene has: %3.", opened.file.string(),
+                           measure.probe,
                            all.empty() ? "none" : all);
         }
         opened.headings.push_back(headingOf(measure, probe->unit));
@@ -37,7 +37,7 @@ std::optional<Failure> nameMeasures(OpenedStudy& opened, const std::string& file
 
 // Whether what the plan sets can be set: each value of each variable, or those of the first point
 // where values are drawn.
-std::optional<Failure> checkAssignments(const OpenedStudy& opened, const std::string& file)
+std::optional<Failure> checkAssignments(const OpenedStudy& opened)
 {
     std::vector<std::string> all;
     for (const StudyVariable& variable : opened.study.variables)
@@ -49,13 +49,13 @@ std::optional<Failure> checkAssignments(const OpenedStudy& opened, const std::st
             all.push_back(std::move(one));
     for (const std::string& one : all)
         if (const auto edit = assignment(opened.scene, one); !edit)
-            return Failure("%1: %2: %3", file, one, edit.message());
+            return Failure("%1: %2: %3", opened.file.string(), one, edit.message());
     return std::nullopt;
 }
 
 } // namespace
 
-Result<OpenedStudy> openStudy(const std::string& file)
+Result<OpenedStudy> openStudy(const fs::path& file)
 {
     auto study = readStudy(file);
     if (!study)
@@ -66,9 +66,9 @@ Result<OpenedStudy> openStudy(const std::string& file)
         return scene.failure();
     auto points = StudyPoints::of(*study);
     if (!points)
-        return Failure("%1: %2", file, points.message());
+        return Failure("%1: %2", file.string(), points.message());
     OpenedStudy opened{
-        std::move(*study), std::move(*scene), {}, std::move(*points), {}, {}, {}, sceneFile, {}};
+        std::move(*study), std::move(*scene), {}, std::move(*points), {}, {}, {}, file, sceneFile, {}};
     if (!opened.study.controls.empty()) {
         opened.controlsFile = opened.study.folder / opened.study.controls;
         auto track = readControlTrack(opened.controlsFile, opened.scene);
@@ -79,16 +79,27 @@ Result<OpenedStudy> openStudy(const std::string& file)
     opened.plan.seconds = opened.study.seconds;
     opened.plan.untilTear = opened.study.untilTear;
     opened.plan.measures = opened.study.measures;
-    opened.plan.isInterrupted = interrupted;
-    if (auto failure = nameMeasures(opened, file))
+    if (auto failure = nameMeasures(opened))
         return *failure;
-    if (auto failure = checkAssignments(opened, file))
+    if (auto failure = checkAssignments(opened))
         return *failure;
     auto keys = FlightKeys::of(opened.scene, opened.controlsFile, opened.plan);
     if (!keys)
         return keys.failure();
     opened.keys = std::move(*keys);
     return opened;
+}
+
+Result<Scene> sceneOf(const OpenedStudy& opened, std::size_t point)
+{
+    Scene scene = opened.scene;
+    for (const std::string& one : opened.assignments(point)) {
+        const auto edit = assignment(scene, one);
+        if (!edit)
+            return Failure("%1: %2", one, edit.message());
+        (void)apply(scene, *edit);
+    }
+    return scene;
 }
 
 } // namespace ripstop

@@ -1,0 +1,193 @@
+// A study seen over two of its variables: what each cell is, and the lines over them.
+#include "model/cli_call.h"
+#include "model/files.h"
+#include "study/study_map.h"
+#include "study/study_table.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace ripstop;
+
+namespace {
+
+// A grid with this value at each place.
+StudyMap gridOf(std::size_t columns, std::size_t rows,
+                const std::function<double(double, double)>& value)
+{
+    StudyMap map;
+    map.isGrid = true;
+    map.x.labels.resize(columns);
+    map.y = StudyAxis{};
+    map.y->labels.resize(rows);
+    for (std::size_t y = 0; y < rows; ++y)
+        for (std::size_t x = 0; x < columns; ++x)
+            map.points.push_back({map.points.size(), double(x), double(y),
+                                  value(double(x), double(y)), FlightOutcome::Held});
+    return map;
+}
+
+double lengthOf(const std::vector<MapSegment>& lines)
+{
+    double sum = 0.0;
+    for (const MapSegment& line : lines)
+        sum += std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]);
+    return sum;
+}
+
+// A pendulum that is hung on a line of strength that varies, in a folder of its own.
+QString writeStudy(const QTemporaryDir& folder, const QByteArray& plan)
+{
+    QFile::copy(scene("pendulum"), folder.filePath("pendulum.ripstop.json"));
+    const QString file = folder.filePath("a.ripstop-study.json");
+    write(file, R"({"format": "ripstop-study", "version": 1, "scene": "pendulum.ripstop.json",
+        "seconds": 0.05, "variables": [
+        {"name": "gravity", "paths": ["settings.gravity"], "values": ["0,-9.81,0", "0,-1.62,0"]},
+        {"name": "mass", "paths": ["#4.mass"], "from": 1, "to": 100, "count": 3, "scale": "log"},
+        {"name": "air", "paths": ["settings.airDensity"], "values": [1.2, 0]}],
+        "measures": [{"probe": "tension", "reduction": "max"}], "plan": )" + plan + "}");
+    return file;
+}
+
+} // namespace
+
+class TestStudyMap : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // Over a plane the contour is a straight line: x + 2 y = 5.5 goes from (5.5 - 2 * 2, 2) to
+    // (5, 0.25) in a grid of six by three.
+    void contourOfAPlane()
+    {
+        const StudyMap map = gridOf(6, 3, [](double x, double y) { return x + 2.0 * y; });
+        const auto lines = contour(map, 5.5);
+        for (const MapSegment& line : lines)
+            for (const auto& end : {line.from, line.to})
+                QVERIFY(std::abs(end[0] + 2.0 * end[1] - 5.5) < 1e-12);
+        QVERIFY(std::abs(lengthOf(lines) - std::hypot(5.0 - 1.5, 2.0 - 0.25)) < 1e-12);
+    }
+
+    // Round a cone the contours are circles; chords between the sides of squares are shorter by
+    // less than 1 %.
+    void contourOfACone()
+    {
+        const StudyMap map =
+            gridOf(41, 41, [](double x, double y) { return std::hypot(x - 20.0, y - 20.0); });
+        const double circle = 2.0 * std::numbers::pi * 12.3;
+        const double length = lengthOf(contour(map, 12.3));
+        QVERIFY2(length < circle && length > 0.99 * circle, qPrintable(QString::number(length)));
+    }
+
+    // A saddle x y about the middle of one square: its two branches stay apart, on either side.
+    void contourOfASaddle()
+    {
+        const auto saddle = [](double x, double y) { return (x - 0.5) * (y - 0.5); };
+        for (const double level : {0.1, -0.1}) {
+            const auto lines = contour(gridOf(2, 2, saddle), level);
+            QCOMPARE(lines.size(), std::size_t(2));
+            for (const MapSegment& line : lines) {
+                const double x = (line.from[0] + line.to[0]) / 2.0;
+                const double y = (line.from[1] + line.to[1]) / 2.0;
+                QVERIFY(saddle(x, y) * level > 0.0); // in the quarter where the sign is its own
+            }
+        }
+    }
+
+    void cellsWithoutAValueHaveNoContour()
+    {
+        StudyMap map = gridOf(3, 2, [](double x, double) { return x; });
+        map.points[1].outcome = FlightOutcome::Stopped; // a corner of both squares
+        QVERIFY(contour(map, 0.5).empty());
+        QVERIFY(contour(map, 1.5).empty());
+    }
+
+    void levelsAreRound()
+    {
+        const StudyMap map = gridOf(2, 1, [](double x, double) { return 37.0 + 89.0 * x; });
+        QCOMPARE(contourLevels(map, 8), (std::vector<double>{40, 60, 80, 100, 120}));
+        QVERIFY(contourLevels(gridOf(2, 2, [](double, double) { return 1.0; }), 8).empty());
+    }
+
+    // What tears below the diagonal of a square of n cells has a border of n - 1 cells in each
+    // direction.
+    void frontierIsTheBorder()
+    {
+        StudyMap map = gridOf(5, 5, [](double, double) { return 0.0; });
+        for (StudyMap::Point& point : map.points)
+            if (point.y < point.x)
+                point.outcome = FlightOutcome::Torn;
+        QVERIFY(std::abs(lengthOf(frontier(map)) - 8.0) < 1e-12);
+        for (const MapSegment& line : frontier(map)) // right of the diagonal and below it
+            QVERIFY(std::abs((line.from[0] + line.to[0] - line.from[1] - line.to[1]) / 2.0 - 0.5)
+                    < 0.6);
+        for (StudyMap::Point& point : map.points)
+            if (point.outcome == FlightOutcome::Torn)
+                point.outcome = FlightOutcome::Missing; // what is not known is no border
+        QVERIFY(frontier(map).empty());
+    }
+
+    // A slice of a grid of three variables has each of its points once, at the place of its values.
+    void slicesOfAGrid()
+    {
+        const QTemporaryDir folder;
+        const auto opened = openStudy(writeStudy(folder, R"({"kind": "grid"})").toStdString());
+        QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
+        QCOMPARE(opened->points.count(), std::size_t(2 * 3 * 2));
+        LedgerRows rows;
+        for (std::size_t i = 0; i < opened->points.count(); ++i) {
+            FlightResult flight;
+            flight.measured = {double(i)};
+            flight.torn = i % 4 == 1;
+            flight.stopped = i == 7 ? "diverged" : "";
+            if (i != 3)
+                rows.emplace(opened->key(i), flight);
+        }
+        const StudyFlights flights = flightsOf(*opened, rows);
+        // points are numbered with the last variable changing fastest: 6 gravity + 2 mass + air
+        const StudyMap map = mapOf(*opened, flights, {1, 0, 0, {0, 0, 1}});
+        QVERIFY(map.isGrid);
+        QCOMPARE(map.x.title, std::string("mass (kg)"));
+        QVERIFY(map.x.isLogarithmic);
+        QCOMPARE(map.x.labels, (std::vector<std::string>{"1", "10", "100"}));
+        QCOMPARE(map.columns(), std::size_t(3));
+        QCOMPARE(map.rows(), std::size_t(2));
+        for (std::size_t row = 0; row < 2; ++row)
+            for (std::size_t column = 0; column < 3; ++column) {
+                const StudyMap::Point& point = map.points[row * 3 + column];
+                QCOMPARE(point.number, 6 * row + 2 * column + 1);
+                if (point.number != 3)
+                    QCOMPARE(point.value, double(point.number));
+            }
+        QCOMPARE(map.points[0].outcome, FlightOutcome::Torn);
+        QCOMPARE(map.points[1].outcome, FlightOutcome::Missing);
+        QCOMPARE(map.points[3].outcome, FlightOutcome::Stopped);
+        QCOMPARE(map.points[5].outcome, FlightOutcome::Held);
+        const StudyTally tally = tallyOf(*opened, rows);
+        QCOMPARE(tally.flown, std::size_t(11));
+        QCOMPARE(tally.stopped, std::size_t(1));
+    }
+
+    // Points that are drawn lie where their numbers are, and vectors side by side.
+    void drawnPointsLieByTheirNumbers()
+    {
+        const QTemporaryDir folder;
+        const auto opened = openStudy(
+            writeStudy(folder, R"({"kind": "sobol", "count": 16, "seed": 3})").toStdString());
+        QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
+        const StudyMap map = mapOf(*opened, StudyFlights(16, nullptr), {1, 0, 0, {}});
+        QVERIFY(!map.isGrid);
+        QCOMPARE(map.points.size(), std::size_t(16));
+        for (const StudyMap::Point& point : map.points) {
+            const auto values = opened->points.values(point.number);
+            QCOMPARE(point.x, std::stod(values[1]));
+            QCOMPARE(point.y, values[0] == "0,-9.81,0" ? 0.0 : 1.0);
+        }
+        QVERIFY(frontier(map).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStudyMap)
+#include "test_study_map.moc"
