@@ -1,8 +1,9 @@
 // ripstop-cli study: new, run, status, merge and slurm.
 //
-// run flies the points of its shard that no ledger has (study/study_run.h); merge and status look up
-// the rows of all points.
+// run flies the points of its shard that no ledger has (study/study_run.h); merge and status look
+// up the rows of all points.
 #include "cli/commands.h"
+#include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
 #include "cli/targets.h"
 #include "io/scene_file.h"
@@ -51,11 +52,10 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
         return Done;
     }
     ProgressLine progress("study");
-    const auto tally =
-        flyPoints(*opened, points, shard, jobs, interrupted,
-                  [&](std::size_t, const FlightResult&, const StudyTally& now) {
-                      progress.show(double(now.flown) / double(points.size()));
-                  });
+    const auto tally = flyPoints(*opened, points, shard, jobs, interrupted,
+                                 [&](std::size_t, const FlightResult&, const StudyTally& now) {
+                                     progress.show(double(now.flown) / double(points.size()));
+                                 });
     if (!tally)
         return fail(BadInput, tally.message());
     if (tally->flown < points.size())

@@ -15,16 +15,20 @@
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
 #include "problems/problem_list.h"
+#include "study/study_panel.h"
 #include "table/sheet_panel.h"
 #include "timeline/timeline.h"
 #include "transport/control_strip.h"
 
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QMainWindow>
 #include <QUndoView>
 
 namespace ripstop {
 namespace {
+
+constexpr int roomOfStudy = 340; // px of height
 
 QString tr(const char* text) { return QCoreApplication::translate("Docks", text); }
 
@@ -96,6 +100,23 @@ QWidget* makeTable(const PanelParts& parts, const Panels&, QDockWidget& dock)
         [&player = parts.player] { return measurementOf(player.frame()); }, &dock);
 }
 
+// What is to be studied brings it forward, with room for the map.
+QWidget* makeStudy(const PanelParts& parts, const Panels& above, QDockWidget& dock)
+{
+    auto* panel = new StudyPanel(parts.document, parts.recordings, &dock);
+    QObject::connect(panel, &StudyPanel::said, &dock, parts.say);
+    QObject::connect(&above.the<Inspector>().sliders(), &SliderShelf::studyWanted, panel,
+                     &StudyPanel::study);
+    QObject::connect(&above.the<Inspector>().sliders(), &SliderShelf::studyWanted, &dock, [&dock] {
+        dock.show();
+        dock.raise();
+        if (auto* window = qobject_cast<QMainWindow*>(dock.parentWidget());
+            window && !dock.isFloating() && dock.height() < roomOfStudy)
+            window->resizeDocks({&dock}, {roomOfStudy}, Qt::Vertical);
+    });
+    return panel;
+}
+
 QWidget* makeTimeline(const PanelParts& parts, const Panels&, QDockWidget& dock)
 {
     return new Timeline(parts.recordings, &dock);
@@ -124,6 +145,7 @@ std::vector<DockRow> dockTable()
         {"problems",  tr("Problems"),  below, 0,   stays, makeProblems, {}, {}},
         {"loads",     tr("Loads"),     below, 0,   stays, makeLoads, {}, {}},
         {"table",     tr("Table"),     below, 0,   stays, makeTable, {}, {}},
+        {"study",     tr("Study"),     below, 0,   stays, makeStudy, {}, {}},
         {"timeline",  tr("Timeline"),  below, 0,   stays, makeTimeline, {}, {}},
     };
     // clang-format on

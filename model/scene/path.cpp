@@ -115,6 +115,21 @@ Result<Place> findPlace(const Scene& scene, std::string_view path)
         keys);
 }
 
+std::string pathOf(const Scene& scene, Id id, const Property& property)
+{
+    const std::string end = '.' + std::string(property.key);
+    if (property.kind == Kind::Settings)
+        return "settings" + end;
+    for (const Entry& entry : scene.items)
+        if (entry.id == id) {
+            std::string path = std::string(nameOf(entry.item)) + end;
+            const auto place = findPlace(scene, path);
+            if (place && place->property == &property && place->targets == std::vector{id})
+                return path;
+        }
+    return '#' + std::to_string(std::uint32_t(id)) + end;
+}
+
 Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name)
 {
     if (name.starts_with('#')) {

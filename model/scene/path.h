@@ -19,6 +19,10 @@ struct Place
 // A message names the nearest thing that exists.
 Result<Place> findPlace(const Scene& scene, std::string_view path);
 
+// The path that findPlace() takes to this property of one thing: by the name of an item where no
+// other is found by it, else by its id.
+std::string pathOf(const Scene& scene, Id id, const Property& property);
+
 // The first item of this kind with this name, or that with the id "#17". A message names the
 // nearest one.
 Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name);

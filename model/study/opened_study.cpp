@@ -27,8 +27,7 @@ std::optional<Failure> nameMeasures(OpenedStudy& opened)
             for (const Layout::Probe& one : *probes)
                 all += (all.empty() ? "" : ", ") + one.name;
             return Failure("%1 measures the probe %2, and the scene has: %3.", opened.file.string(),
-                           measure.probe,
-                           all.empty() ? "none" : all);
+                           measure.probe, all.empty() ? "none" : all);
         }
         opened.headings.push_back(headingOf(measure, probe->unit));
     }
@@ -67,8 +66,16 @@ Result<OpenedStudy> openStudy(const fs::path& file)
     auto points = StudyPoints::of(*study);
     if (!points)
         return Failure("%1: %2", file.string(), points.message());
-    OpenedStudy opened{
-        std::move(*study), std::move(*scene), {}, std::move(*points), {}, {}, {}, file, sceneFile, {}};
+    OpenedStudy opened{std::move(*study),
+                       std::move(*scene),
+                       {},
+                       std::move(*points),
+                       {},
+                       {},
+                       {},
+                       file,
+                       sceneFile,
+                       {}};
     if (!opened.study.controls.empty()) {
         opened.controlsFile = opened.study.folder / opened.study.controls;
         auto track = readControlTrack(opened.controlsFile, opened.scene);

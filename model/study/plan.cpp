@@ -112,7 +112,8 @@ double countOf(const Study& study)
         else if (study.plan.kind == PlanKind::OneAtATime)
             count += double(variable.values.size()) - 1.0;
     }
-    const bool isOfValues = study.plan.kind == PlanKind::Grid || study.plan.kind == PlanKind::OneAtATime;
+    const bool isOfValues =
+        study.plan.kind == PlanKind::Grid || study.plan.kind == PlanKind::OneAtATime;
     return isOfValues ? count : double(study.plan.count);
 }
 

@@ -171,15 +171,9 @@ void readRange(Fields& fields, StudyVariable& variable)
                            fields.where("from")));
         return;
     }
-    variable.spread =
-        Distribution{isLog ? Distribution::Kind::Log : Distribution::Kind::Uniform, from, to};
-    for (int i = 0; i < count; ++i) {
-        const double share = double(i) / (count - 1);
-        const double value = i == 0           ? from
-                             : i == count - 1 ? to
-                                              : quantile(*variable.spread, share);
-        variable.values.push_back(rounded(value));
-    }
+    const StudyVariable range = rangeVariable(from, to, count, isLog);
+    variable.spread = range.spread;
+    variable.values = range.values;
 }
 
 void readDistribution(Fields& fields, StudyVariable& variable)
@@ -328,6 +322,21 @@ Json variableJson(const StudyVariable& variable)
 }
 
 } // namespace
+
+StudyVariable rangeVariable(double from, double to, int count, bool isLogarithmic)
+{
+    StudyVariable variable;
+    variable.spread = Distribution{
+        isLogarithmic ? Distribution::Kind::Log : Distribution::Kind::Uniform, from, to};
+    for (int i = 0; i < count; ++i) {
+        const double share = double(i) / (count - 1);
+        const double value = i == 0           ? from
+                             : i == count - 1 ? to
+                                              : quantile(*variable.spread, share);
+        variable.values.push_back(rounded(value));
+    }
+    return variable;
+}
 
 Result<Study> studyOf(const std::string& text)
 {

@@ -31,6 +31,10 @@ struct StudyVariable
                                         // without one, each alike
 };
 
+// Values from one end to the other, evenly or by even factors, and what other plans draw from
+// between them. `from` is below `to`, and above 0 where it is logarithmic.
+StudyVariable rangeVariable(double from, double to, int count, bool isLogarithmic);
+
 struct StudyPlan
 {
     enum class Kind {

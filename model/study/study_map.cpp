@@ -112,9 +112,12 @@ double readingOf(const FlightResult& flight, std::size_t reading)
     if (reading < measures)
         return flight.measured[reading];
     switch (TearReading(reading - measures)) {
-    case TearReading::FirstTear: return flight.firstTear;
-    case TearReading::FirstTearLoad: return flight.firstTearLoad;
-    case TearReading::Torn: return double(flight.torn);
+    case TearReading::FirstTear:
+        return flight.firstTear;
+    case TearReading::FirstTearLoad:
+        return flight.firstTearLoad;
+    case TearReading::Torn:
+        return double(flight.torn);
     }
     return std::nan("");
 }

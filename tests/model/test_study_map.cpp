@@ -47,7 +47,8 @@ QString writeStudy(const QTemporaryDir& folder, const QByteArray& plan)
         {"name": "gravity", "paths": ["settings.gravity"], "values": ["0,-9.81,0", "0,-1.62,0"]},
         {"name": "mass", "paths": ["#4.mass"], "from": 1, "to": 100, "count": 3, "scale": "log"},
         {"name": "air", "paths": ["settings.airDensity"], "values": [1.2, 0]}],
-        "measures": [{"probe": "tension", "reduction": "max"}], "plan": )" + plan + "}");
+        "measures": [{"probe": "tension", "reduction": "max"}], "plan": )"
+                    + plan + "}");
     return file;
 }
 

@@ -202,6 +202,9 @@ void PropertyForm::addMenu(const Row& row)
         tune->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         row.field.widget->addAction(tune);
     }
+    if (isTunable(property))
+        add(tr("Study this…"),
+            [this, &property] { m_sliders.study(property, m_subject.ids()); });
     if (isResettable(property))
         add(tr("Back to the default"),
             [this, &property] { m_subject.edit(property, setTo(property.initial)); });

@@ -162,6 +162,15 @@ void SliderShelf::load()
     emit changed();
 }
 
+void SliderShelf::study(const Property& property, const std::vector<Id>& ids)
+{
+    const auto same = std::ranges::find_if(m_sliders, [&](const Slider& slider) {
+        return slider.property == &property && slider.ids == ids;
+    });
+    const bool isOnShelf = same != m_sliders.end() && hasRange(property);
+    emit studyWanted(property, ids, isOnShelf ? std::optional(same->range) : std::nullopt);
+}
+
 void SliderShelf::take(std::vector<Slider> sliders)
 {
     m_sliders = std::move(sliders);

@@ -11,6 +11,9 @@
 
 #include <QObject>
 
+#include <optional>
+#include <vector>
+
 namespace ripstop {
 
 class Document;
@@ -34,10 +37,16 @@ public:
     // are of, or of the whole scene where they are of none.
     void addUsual(const std::vector<Id>& selected = {});
 
+    // Somebody wants to know what other values of this would do: over the range of its slider where
+    // it has one.
+    void study(const Property& property, const std::vector<Id>& ids);
+
     void remember(bool on) { m_remembers = on; } // in the settings; not for pictures and tests
 
 signals:
     void changed();
+    void studyWanted(const ripstop::Property& property, const std::vector<ripstop::Id>& ids,
+                     const std::optional<ripstop::SliderRange>& range);
 
 private:
     void load();

@@ -80,6 +80,9 @@ TuningRow::TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidg
     auto* select = new QAction(tr("Select"), m_label);
     connect(select, &QAction::triggered, this, &TuningRow::chosen);
     m_label->addAction(select);
+    auto* study = new QAction(tr("Study this…"), m_label);
+    connect(study, &QAction::triggered, this, &TuningRow::studyWanted);
+    m_label->addAction(study);
     m_label->setContextMenuPolicy(Qt::ActionsContextMenu);
 
     auto* remove = new QToolButton;

@@ -37,6 +37,7 @@ signals:
     void rangeEdited(const ripstop::SliderRange& range);
     void removed();
     void chosen(); // its things are wanted in the inspector
+    void studyWanted();
 
 private:
     QWidget* rangeLine();

@@ -1,0 +1,332 @@
+// show() draws axes, cells or points, and lines anew. Cells are drawn where their numbers are, with
+// the values of the study as the texts of the axes, so that columns are even for any values. Points
+// are graphs, one for each of some shades, since a graph has one colour.
+#include "study/study_chart.h"
+
+#include "plots/chart_style.h"
+#include "plots/curve_color.h"
+
+#include <QEvent>
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+constexpr int shadeCount = 24;
+constexpr int mostContours = 8;
+constexpr double gap = std::numeric_limits<double>::quiet_NaN(); // between two segments
+constexpr double nearPoint = 12.0;                               // px
+
+// Even steps in lightness from dark blue to yellow, for the colour-blind too (the colours of
+// viridis, by Smith and van der Walt 2015).
+QCPColorGradient colours()
+{
+    constexpr std::array<QRgb, 9> stops{0xff440154, 0xff472d7b, 0xff3b528b, 0xff2c728e, 0xff21918c,
+                                        0xff28ae80, 0xff5ec962, 0xffaddc30, 0xfffde725};
+    QCPColorGradient gradient;
+    gradient.clearColorStops();
+    for (std::size_t i = 0; i < stops.size(); ++i)
+        gradient.setColorStopAt(double(i) / double(stops.size() - 1), QColor::fromRgb(stops[i]));
+    gradient.setNanHandling(QCPColorGradient::nhTransparent);
+    return gradient;
+}
+
+QCPRange valuesOf(const StudyMap& map)
+{
+    QCPRange range(std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity());
+    for (const StudyMap::Point& point : map.points)
+        if (std::isfinite(point.value)) {
+            range.lower = std::min(range.lower, point.value);
+            range.upper = std::max(range.upper, point.value);
+        }
+    if (!(range.lower <= range.upper))
+        return {0.0, 1.0};
+    if (range.lower == range.upper) {
+        const double room = std::max(1e-12, 0.05 * std::abs(range.lower));
+        return {range.lower - room, range.upper + room};
+    }
+    return range;
+}
+
+// Values of a grid at its columns, as many as have room.
+QSharedPointer<QCPAxisTicker> gridTicker(const std::vector<std::string>& labels, int most)
+{
+    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
+    const std::size_t every = 1 + (labels.size() - 1) / std::size_t(std::max(1, most));
+    for (std::size_t i = 0; i < labels.size(); i += every) {
+        bool isNumber = false;
+        const double number = QString::fromStdString(labels[i]).toDouble(&isNumber);
+        ticker->addTick(double(i), isNumber ? QLocale().toString(number, 'g', 4)
+                                            : QString::fromStdString(labels[i]));
+    }
+    return ticker;
+}
+
+void giveScale(QCPAxis& axis, bool isLogarithmic)
+{
+    setLogarithmic(axis, isLogarithmic);
+    if (!isLogarithmic)
+        axis.setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+}
+
+} // namespace
+
+StudyChart::StudyChart(QWidget* parent)
+    : QWidget(parent)
+    , m_plot(makePlot(*this))
+    , m_cells(new QCPColorMap(m_plot->xAxis, m_plot->yAxis))
+    , m_scale(new QCPColorScale(m_plot))
+    , m_contours(new QCPCurve(m_plot->xAxis, m_plot->yAxis))
+    , m_frontier(new QCPCurve(m_plot->xAxis, m_plot->yAxis))
+{
+    m_plot->plotLayout()->addElement(0, 1, m_scale);
+    m_scale->setType(QCPAxis::atRight);
+    m_scale->setGradient(colours());
+    m_scale->setBarWidth(12);
+    m_cells->setColorScale(m_scale);
+    m_cells->setGradient(colours());
+    m_cells->setInterpolate(false);
+    m_cells->setTightBoundary(false);
+    for (int i = 0; i < shadeCount; ++i) {
+        m_shades.push_back(m_plot->addGraph());
+        m_shades.back()->setLineStyle(QCPGraph::lsNone);
+    }
+    m_torn = m_plot->addGraph();
+    m_torn->setLineStyle(QCPGraph::lsNone);
+    m_crosses = m_plot->addGraph();
+    m_crosses->setLineStyle(QCPGraph::lsNone);
+    m_mark = new QCPItemRect(m_plot);
+    m_mark->setVisible(false);
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
+        axis->grid()->setVisible(false);
+
+    setMinimumSize(240, 150);
+    connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
+        if (event->button() == Qt::LeftButton)
+            if (const auto place = at(event->pos()))
+                emit chosen(m_map.points[*place].number);
+    });
+    connect(m_plot, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) {
+        const auto place = at(event->pos());
+        emit pointedAt(place ? qlonglong(m_map.points[*place].number) : -1);
+    });
+    restyle();
+}
+
+void StudyChart::restyle()
+{
+    stylePlot(*m_plot, *this);
+    styleAxis(*m_scale->axis(), *this);
+    const QColor ink = palette().color(QPalette::Text);
+    m_contours->setPen(QPen(QColor(255, 255, 255, 130), 1.0));
+    m_frontier->setPen(QPen(isDark(palette()) ? QColor(Qt::white) : QColor(Qt::black), 3.0,
+                            Qt::SolidLine, Qt::RoundCap));
+    m_crosses->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssCross, QPen(QColor(220, 50, 40), 2.0), Qt::NoBrush, 9));
+    m_torn->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(ink, 1.6), Qt::NoBrush, 11));
+    m_mark->setPen(QPen(QColor(230, 60, 50), 2.5));
+    QCPColorGradient gradient = colours();
+    for (int i = 0; i < shadeCount; ++i)
+        m_shades[std::size_t(i)]->setScatterStyle(
+            QCPScatterStyle(QCPScatterStyle::ssDisc,
+                            QColor::fromRgb(gradient.color(i + 0.5, QCPRange(0, shadeCount))), 8));
+}
+
+void StudyChart::show(const StudyMap& map, const QString& reading)
+{
+    m_map = map;
+    m_reading = reading;
+    drawAxes();
+    drawCells();
+    drawPoints();
+    drawLines();
+    mark(m_marked);
+}
+
+double StudyChart::heightOf(const StudyMap::Point& point) const
+{
+    return hasHeights() ? point.value : point.y;
+}
+
+void StudyChart::drawAxes()
+{
+    const QCPRange values = valuesOf(m_map);
+    QCPAxis& x = *m_plot->xAxis;
+    QCPAxis& y = *m_plot->yAxis;
+    x.setLabel(QString::fromStdString(m_map.x.title));
+    y.setLabel(hasHeights() ? m_reading : QString::fromStdString(m_map.y->title));
+    m_scale->setVisible(!hasHeights());
+    m_scale->axis()->setLabel(hasHeights() ? QString() : m_reading);
+    m_scale->setDataRange(values);
+    if (m_map.isGrid) {
+        giveScale(x, false);
+        giveScale(y, false);
+        x.setTicker(gridTicker(m_map.x.labels, std::max(2, width() / 80)));
+        x.setRange(-0.5, double(m_map.columns()) - 0.5);
+        if (!hasHeights()) {
+            y.setTicker(gridTicker(m_map.y->labels, std::max(2, height() / 30)));
+            y.setRange(-0.5, double(m_map.rows()) - 0.5);
+        }
+    } else {
+        giveScale(x, m_map.x.isLogarithmic);
+        giveScale(y, m_map.y && m_map.y->isLogarithmic);
+        QCPRange across(std::numeric_limits<double>::infinity(),
+                        -std::numeric_limits<double>::infinity());
+        QCPRange up = across;
+        for (const StudyMap::Point& point : m_map.points) {
+            across.expand(QCPRange(point.x, point.x));
+            up.expand(QCPRange(point.y, point.y));
+        }
+        if (m_map.points.empty())
+            across = up = QCPRange(0.0, 1.0);
+        x.setRange(m_map.x.isLogarithmic ? across : withAir(across));
+        if (!hasHeights())
+            y.setRange(m_map.y->isLogarithmic ? up : withAir(up));
+    }
+    if (hasHeights())
+        y.setRange(withAir(values));
+}
+
+void StudyChart::drawCells()
+{
+    m_cells->setVisible(m_map.isGrid && !hasHeights());
+    if (!m_cells->visible())
+        return;
+    const int columns = int(m_map.columns());
+    const int rows = int(m_map.rows());
+    // ranges are those of the middles of the outer cells
+    m_cells->data()->setSize(columns, rows);
+    m_cells->data()->setRange(QCPRange(0.0, std::max(1, columns - 1)),
+                              QCPRange(0.0, std::max(1, rows - 1)));
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            m_cells->data()->setCell(column, row,
+                                     m_map.points[std::size_t(row * columns + column)].value);
+    m_cells->setDataRange(m_scale->dataRange());
+}
+
+void StudyChart::drawPoints()
+{
+    const bool areCells = m_cells->visible();
+    const QCPRange values = valuesOf(m_map);
+    std::vector<QVector<double>> x(shadeCount), y(shadeCount);
+    QVector<double> tornX, tornY, crossX, crossY;
+    for (const StudyMap::Point& point : m_map.points) {
+        const double height = heightOf(point);
+        if (point.outcome == FlightOutcome::Stopped) {
+            crossX << point.x; // at the bottom where it has no value
+            crossY << (std::isfinite(height) ? height : m_plot->yAxis->range().lower);
+        }
+        if (areCells || !std::isfinite(point.value))
+            continue;
+        const double share = (point.value - values.lower) / values.size();
+        const auto shade = std::size_t(std::clamp(int(share * shadeCount), 0, shadeCount - 1));
+        x[shade] << point.x;
+        y[shade] << height;
+        if (point.outcome == FlightOutcome::Torn) {
+            tornX << point.x;
+            tornY << height;
+        }
+    }
+    for (std::size_t i = 0; i < x.size(); ++i)
+        m_shades[i]->setData(x[i], y[i]);
+    m_torn->setData(tornX, tornY);
+    m_crosses->setData(crossX, crossY);
+}
+
+void StudyChart::drawLines()
+{
+    const auto put = [](QCPCurve& curve, const std::vector<MapSegment>& lines) {
+        QVector<double> x, y;
+        for (const MapSegment& line : lines) {
+            x << line.from[0] << line.to[0] << gap;
+            y << line.from[1] << line.to[1] << gap;
+        }
+        curve.setData(x, y);
+    };
+    std::vector<MapSegment> contours;
+    if (!hasHeights())
+        for (const double level : contourLevels(m_map, mostContours)) {
+            const auto more = contour(m_map, level);
+            contours.insert(contours.end(), more.begin(), more.end());
+        }
+    put(*m_contours, contours);
+    put(*m_frontier, hasHeights() ? std::vector<MapSegment>() : frontier(m_map));
+}
+
+void StudyChart::mark(std::optional<std::size_t> point)
+{
+    m_marked = point;
+    const auto found =
+        std::ranges::find_if(m_map.points, [&](const auto& one) { return one.number == point; });
+    m_mark->setVisible(point && found != m_map.points.end());
+    if (m_mark->visible()) {
+        if (m_cells->visible()) {
+            m_mark->topLeft->setType(QCPItemPosition::ptPlotCoords);
+            m_mark->bottomRight->setType(QCPItemPosition::ptPlotCoords);
+            m_mark->topLeft->setCoords(found->x - 0.5, found->y + 0.5);
+            m_mark->bottomRight->setCoords(found->x + 0.5, found->y - 0.5);
+        } else {
+            const QPointF place = placeOf(*point);
+            m_mark->topLeft->setPixelPosition(place - QPointF(7, 7));
+            m_mark->bottomRight->setPixelPosition(place + QPointF(7, 7));
+        }
+    }
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+std::optional<std::size_t> StudyChart::at(const QPointF& place) const
+{
+    if (!m_plot->axisRect()->rect().contains(place.toPoint()))
+        return std::nullopt;
+    if (m_cells->visible()) {
+        const double column = std::round(m_plot->xAxis->pixelToCoord(place.x()));
+        const double row = std::round(m_plot->yAxis->pixelToCoord(place.y()));
+        if (column < 0 || row < 0 || column >= double(m_map.columns())
+            || row >= double(m_map.rows()))
+            return std::nullopt;
+        return std::size_t(row) * m_map.columns() + std::size_t(column);
+    }
+    std::optional<std::size_t> nearest;
+    double least = nearPoint;
+    for (std::size_t i = 0; i < m_map.points.size(); ++i) {
+        const StudyMap::Point& point = m_map.points[i];
+        if (!std::isfinite(heightOf(point)))
+            continue;
+        const QPointF away = placeOf(point) - place;
+        if (const double distance = std::hypot(away.x(), away.y()); distance < least) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+QPointF StudyChart::placeOf(std::size_t point) const
+{
+    const auto found =
+        std::ranges::find_if(m_map.points, [&](const auto& one) { return one.number == point; });
+    return found == m_map.points.end() ? QPointF() : placeOf(*found);
+}
+
+QPointF StudyChart::placeOf(const StudyMap::Point& point) const
+{
+    return {m_plot->xAxis->coordToPixel(point.x), m_plot->yAxis->coordToPixel(heightOf(point))};
+}
+
+void StudyChart::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        restyle();
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace ripstop

@@ -1,0 +1,73 @@
+// A study as a picture: a map of cells over two variables, or its points over one or two.
+//
+// Colour is the value that is shown. Over a grid stand thin contours and, bold, the tear line
+// between what held and what did not; a flight that ended early has a cross, and what is not flown
+// is left empty. Columns and rows of a grid are equally wide whatever their values, which stand at
+// the axes. In a study of one variable the value is the height. A click chooses a flight; moving
+// the pointer tells which one is below it. Only the window's thread uses it.
+#pragma once
+
+#include "study/study_map.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCPColorMap;
+class QCPColorScale;
+class QCPCurve;
+class QCPGraph;
+class QCPItemRect;
+class QCustomPlot;
+
+namespace ripstop {
+
+class StudyChart final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StudyChart(QWidget* parent = nullptr);
+
+    //   reading  with its unit, beside the colours
+    void show(const StudyMap& map, const QString& reading);
+    using QWidget::show;
+    void mark(std::optional<std::size_t> point); // the chosen one, by its number in the study
+
+    QCustomPlot& plot() { return *m_plot; }
+    // The place in the map of what stands here, in pixels of the plot.
+    std::optional<std::size_t> at(const QPointF& place) const;
+    QPointF placeOf(std::size_t point) const; // where a point of the study stands
+
+signals:
+    void chosen(std::size_t point);  // of the study
+    void pointedAt(qlonglong point); // -1: at none
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    bool hasHeights() const { return !m_map.y; } // the value is the height
+    void restyle();
+    void drawAxes();
+    void drawCells();
+    void drawPoints();
+    void drawLines();
+    double heightOf(const StudyMap::Point& point) const;
+    QPointF placeOf(const StudyMap::Point& point) const;
+
+    StudyMap m_map;
+    QString m_reading;
+    std::optional<std::size_t> m_marked;
+    QCustomPlot* m_plot;
+    QCPColorMap* m_cells;
+    QCPColorScale* m_scale;
+    QCPCurve* m_contours;
+    QCPCurve* m_frontier;
+    QCPGraph* m_crosses; // ended early
+    QCPGraph* m_torn;    // rings, where no tear line is drawn
+    QCPItemRect* m_mark;
+    std::vector<QCPGraph*> m_shades; // of points that are no cells, one for each colour
+};
+
+} // namespace ripstop

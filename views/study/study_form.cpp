@@ -1,0 +1,193 @@
+#include "study/study_form.h"
+
+#include "document/words.h"
+#include "inspector/value_edit.h"
+#include "scene/typed_number.h"
+#include "study/variable_row.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+using PlanKind = StudyPlan::Kind;
+
+constexpr int usualCount = 64; // points of a plan that draws them
+
+bool isDrawn(PlanKind kind)
+{
+    return kind == PlanKind::LatinHypercube || kind == PlanKind::Sobol || kind == PlanKind::MonteCarlo;
+}
+
+QString judgeSeconds(const QString& typed)
+{
+    const Typed read = typedValue(typed.toStdString(), "s");
+    if (!read.number)
+        return StudyForm::tr("A time %1").arg(translated(read.complaint));
+    return read.number->number > 0.0 ? QString() : StudyForm::tr("A flight lasts longer than 0 s.");
+}
+
+} // namespace
+
+StudyForm::StudyForm(QWidget* parent)
+    : QWidget(parent)
+    , m_variables(new QVBoxLayout)
+    , m_hint(new QLabel)
+    , m_plan(new QComboBox)
+    , m_count(new QSpinBox)
+    , m_seed(new QSpinBox)
+    , m_seedLabel(new QLabel(tr("drawn with")))
+    , m_seconds(new ValueEdit(judgeSeconds))
+    , m_untilTear(new QCheckBox(tr("or until something tears")))
+{
+    m_hint->setWordWrap(true);
+    m_hint->setForegroundRole(QPalette::PlaceholderText);
+    m_variables->setSpacing(0);
+    m_plan->addItem(tr("Every combination"), int(PlanKind::Grid));
+    m_plan->addItem(tr("One at a time"), int(PlanKind::OneAtATime));
+    m_plan->addItem(tr("Sobol' sequence"), int(PlanKind::Sobol));
+    m_plan->addItem(tr("Latin hypercube"), int(PlanKind::LatinHypercube));
+    m_plan->addItem(tr("At random"), int(PlanKind::MonteCarlo));
+    m_plan->setAccessibleName(tr("Points"));
+    m_plan->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_plan->setMinimumContentsLength(12);
+    m_count->setRange(1, 1'000'000);
+    m_count->setAccessibleName(tr("Number of points"));
+    m_seed->setRange(0, std::numeric_limits<int>::max());
+    m_seed->setAccessibleName(tr("Seed"));
+    m_seed->setToolTip(tr("Another seed draws other points."));
+    m_seconds->setUnit(QStringLiteral("s"));
+    m_seconds->setAccessibleName(tr("Each flight"));
+    m_seconds->setMaximumWidth(90);
+
+    auto* plan = new QHBoxLayout;
+    plan->setSpacing(4);
+    plan->addWidget(m_plan, 1);
+    plan->addWidget(m_count);
+    plan->addWidget(m_seedLabel);
+    plan->addWidget(m_seed);
+    auto* flight = new QHBoxLayout;
+    flight->addWidget(m_seconds);
+    flight->addWidget(m_untilTear);
+    flight->addStretch();
+    auto* form = new QFormLayout;
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(4);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("Points"), plan);
+    form->addRow(tr("Each flight"), flight);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 4);
+    layout->setSpacing(4);
+    layout->addLayout(m_variables);
+    layout->addWidget(m_hint);
+    layout->addLayout(form);
+
+    connect(m_plan, &QComboBox::activated, this, &StudyForm::takePlan);
+    connect(m_count, &QSpinBox::valueChanged, this, &StudyForm::takePlan);
+    connect(m_seed, &QSpinBox::valueChanged, this, &StudyForm::takePlan);
+    connect(m_seconds, &ValueEdit::committed, this, [this](const QString& typed) {
+        change([&] { m_study.seconds = typedValue(typed.toStdString(), "s").number->number; });
+    });
+    connect(m_untilTear, &QCheckBox::toggled, this,
+            [this](bool on) { change([&] { m_study.untilTear = on; }); });
+}
+
+void StudyForm::change(const std::function<void()>& what)
+{
+    if (m_isShowing)
+        return;
+    what();
+    emit edited();
+}
+
+void StudyForm::setStudy(Study study, UnitOf unitOf)
+{
+    m_study = std::move(study);
+    m_unitOf = std::move(unitOf);
+    m_isShowing = true;
+    m_seconds->show(compactNumber(m_study.seconds));
+    m_untilTear->setChecked(m_study.untilTear);
+    showPlan();
+    m_isShowing = false;
+    rebuild();
+}
+
+void StudyForm::showPlan()
+{
+    const StudyPlan& plan = m_study.plan;
+    const int file = m_plan->findData(int(PlanKind::Points)); // there for studies that have it
+    if (plan.kind == PlanKind::Points && file < 0)
+        m_plan->addItem(tr("Rows of a file"), int(PlanKind::Points));
+    else if (plan.kind != PlanKind::Points && file >= 0)
+        m_plan->removeItem(file);
+    m_plan->setCurrentIndex(m_plan->findData(int(plan.kind)));
+    m_count->setValue(plan.count > 0 ? int(std::min<std::int64_t>(plan.count, m_count->maximum()))
+                                     : usualCount);
+    m_seed->setValue(int(std::min<std::uint64_t>(plan.seed, std::uint64_t(m_seed->maximum()))));
+    for (QWidget* one : std::initializer_list<QWidget*>{m_count, m_seed, m_seedLabel})
+        one->setVisible(isDrawn(plan.kind));
+}
+
+void StudyForm::takePlan()
+{
+    change([this] {
+        StudyPlan& plan = m_study.plan;
+        plan.kind = PlanKind(m_plan->currentData().toInt());
+        plan.count = isDrawn(plan.kind) ? m_count->value() : 0;
+        plan.seed = std::uint64_t(m_seed->value());
+        m_isShowing = true;
+        showPlan();
+        m_isShowing = false;
+    });
+}
+
+void StudyForm::add(StudyVariable variable)
+{
+    const auto same = std::ranges::find(m_study.variables, variable.paths, &StudyVariable::paths);
+    if (same != m_study.variables.end())
+        *same = std::move(variable);
+    else
+        m_study.variables.push_back(std::move(variable));
+    rebuild();
+    emit edited();
+}
+
+// Rows are made anew: there are few.
+void StudyForm::rebuild()
+{
+    for (VariableRow* row : m_rows) {
+        row->hide();
+        row->deleteLater(); // it may be the one that asked for this
+    }
+    m_rows.clear();
+    for (const StudyVariable& variable : m_study.variables) {
+        auto* row = new VariableRow(variable, m_unitOf(variable));
+        const std::size_t place = m_rows.size();
+        connect(row, &VariableRow::edited, this, [this, row, place] {
+            change([&] { m_study.variables[place] = row->variable(); });
+        });
+        connect(row, &VariableRow::removed, this, [this, place] {
+            m_study.variables.erase(m_study.variables.begin() + std::ptrdiff_t(place));
+            rebuild();
+            emit edited();
+        });
+        m_variables->addWidget(row);
+        m_rows.push_back(row);
+    }
+    m_hint->setText(m_rows.empty()
+                        ? tr("Right-click the name of a property, in the inspector or beside a "
+                             "slider, and choose Study this.")
+                        : tr("Study this on another property adds it."));
+    m_hint->setVisible(m_rows.size() < 2);
+}
+
+} // namespace ripstop

@@ -1,0 +1,60 @@
+// What a study is: its variables, how the points come from them, and how long each flight is. The
+// form edits a study of its own; who shows it writes the file.
+#pragma once
+
+#include "study/study.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QSpinBox;
+class QVBoxLayout;
+
+namespace ripstop {
+
+class ValueEdit;
+class VariableRow;
+
+class StudyForm final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StudyForm(QWidget* parent = nullptr);
+
+    // Says the unit of what a variable sets.
+    using UnitOf = std::function<QString(const StudyVariable&)>;
+
+    void setStudy(Study study, UnitOf unitOf);
+    const Study& study() const { return m_study; }
+
+    void add(StudyVariable variable); // or new values for the one that has the same paths
+
+signals:
+    void edited();
+
+private:
+    void rebuild();
+    void showPlan();
+    void takePlan();
+    void change(const std::function<void()>& what);
+
+    Study m_study;
+    UnitOf m_unitOf;
+    QVBoxLayout* m_variables;
+    std::vector<VariableRow*> m_rows; // [variables]
+    QLabel* m_hint;
+    QComboBox* m_plan;
+    QSpinBox* m_count;
+    QSpinBox* m_seed;
+    QLabel* m_seedLabel;
+    ValueEdit* m_seconds;
+    QCheckBox* m_untilTear;
+    bool m_isShowing = false; // values come from the study and not from a person
+};
+
+} // namespace ripstop

@@ -1,0 +1,441 @@
+// The form edits a study that is not yet written; saveStudy() writes it, the runner opens what was
+// written, and showOpened() shows that: so the map is always that of a file, to which its flights
+// belong. m_runsOnceOpen remembers that somebody has pressed Run meanwhile.
+#include "study/study_panel.h"
+
+#include "document/document.h"
+#include "document/recordings.h"
+#include "document/words.h"
+#include "io/whole_file.h"
+#include "scene/path.h"
+#include "study/study_form.h"
+#include "study/study_table.h"
+#include "study/study_view.h"
+#include "study/suggested_variable.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedLayout>
+#include <QThread>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr double usualSeconds = 10.0;
+
+QString studyFilter() { return StudyPanel::tr("Studies (*.ripstop-study.json);;All files (*)"); }
+
+QString ending() { return QString::fromUtf8(studyEnding.data(), qsizetype(studyEnding.size())); }
+
+// All but one, so that the window and what runs in it have one to themselves.
+int jobs() { return std::max(1, QThread::idealThreadCount() - 1); }
+
+QString timeText(double seconds)
+{
+    return seconds < 90.0 ? StudyPanel::tr("%1 s").arg(std::max(1.0, std::ceil(seconds)))
+                          : StudyPanel::tr("%1 min").arg(std::ceil(seconds / 60.0));
+}
+
+} // namespace
+
+StudyPanel::StudyPanel(Document& document, Recordings& recordings, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_recordings(recordings)
+    , m_pages(new QStackedLayout(this))
+    , m_title(new QLabel)
+    , m_form(new StudyForm)
+    , m_view(new StudyView)
+    , m_run(new QPushButton)
+    , m_progress(new QProgressBar)
+    , m_state(new QLabel)
+{
+    m_pages->addWidget(emptyPage());
+    auto* sides = new QSplitter;
+    sides->setChildrenCollapsible(false);
+    sides->addWidget(formSide());
+    sides->addWidget(m_view);
+    sides->setStretchFactor(1, 1);
+    m_pages->addWidget(sides);
+
+    connect(m_form, &StudyForm::edited, this, [this] {
+        m_isEdited = true;
+        showState();
+    });
+    connect(m_run, &QPushButton::clicked, this, [this] {
+        if (m_runner.task() == StudyRunner::Task::None)
+            run();
+        else
+            stop();
+    });
+    connect(&m_runner, &StudyRunner::opened, this, &StudyPanel::showOpened);
+    connect(&m_runner, &StudyRunner::grew, this, [this] {
+        if (isVisible())
+            m_view->refresh();
+        showState();
+    });
+    connect(&m_runner, &StudyRunner::ended, this, &StudyPanel::showState);
+    connect(&m_runner, &StudyRunner::failed, this, &StudyPanel::showFailure);
+    connect(&m_runner, &StudyRunner::watched, this, &StudyPanel::watched);
+    connect(m_view, &StudyView::watchWanted, this, [this](std::size_t point) {
+        m_runner.watch(point);
+        showState();
+    });
+    connect(m_view, &StudyView::applyWanted, this, &StudyPanel::applyToDesign);
+    connect(m_view, &StudyView::tableWanted, this, &StudyPanel::saveTable);
+    connect(m_view, &StudyView::said, this, &StudyPanel::said);
+    // A study that was never written is one of the design that is gone.
+    connect(&document, &Document::replaced, this, [this] {
+        if (m_file.isEmpty())
+            m_pages->setCurrentIndex(0);
+    });
+}
+
+QWidget* StudyPanel::emptyPage()
+{
+    auto* text = new QLabel(
+        tr("A study flies the design many times with other values and shows what came of it as a "
+           "map: for which stiffness and which strength does it hold?\n\nRight-click the name of a "
+           "property, in the inspector or beside a slider, and choose Study this."));
+    text->setAlignment(Qt::AlignCenter);
+    text->setWordWrap(true);
+    text->setForegroundRole(QPalette::PlaceholderText);
+    auto* open = new QPushButton(tr("&Open a study…"));
+    connect(open, &QPushButton::clicked, this, &StudyPanel::browse);
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(40, 8, 40, 8);
+    layout->addStretch();
+    layout->addWidget(text);
+    layout->addWidget(open, 0, Qt::AlignHCenter);
+    layout->addStretch();
+    return page;
+}
+
+QWidget* StudyPanel::formSide()
+{
+    auto* browseButton = new QPushButton(tr("&Open…"));
+    browseButton->setToolTip(tr("Open the file of another study."));
+    connect(browseButton, &QPushButton::clicked, this, &StudyPanel::browse);
+    auto* newButton = new QPushButton(tr("&New"));
+    newButton->setToolTip(tr("A new study of the open design; this one stays in its file."));
+    connect(newButton, &QPushButton::clicked, this, &StudyPanel::startNew);
+    m_title->setTextFormat(Qt::PlainText);
+    QFont bold = m_title->font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(8, 4, 8, 0);
+    top->addWidget(m_title, 1);
+    top->addWidget(newButton);
+    top->addWidget(browseButton);
+
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidget(m_form);
+    m_progress->setTextVisible(true);
+    m_state->setWordWrap(true);
+    m_state->setObjectName(QStringLiteral("state"));
+    auto* go = new QHBoxLayout;
+    go->setContentsMargins(8, 0, 8, 0);
+    go->addWidget(m_run);
+    go->addWidget(m_progress, 1);
+    m_state->setContentsMargins(8, 0, 8, 4);
+    auto* side = new QWidget;
+    side->setMinimumWidth(330);
+    auto* layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(top);
+    layout->addWidget(area, 1);
+    layout->addLayout(go);
+    layout->addWidget(m_state);
+    return side;
+}
+
+QString StudyPanel::state() const { return m_state->text(); }
+
+// --- the study ----------------------------------------------------------------------------------
+
+QString StudyPanel::unitOf(const StudyVariable& variable) const
+{
+    const Scene& scene = m_runner.study() ? m_runner.study()->scene : m_document.scene();
+    const auto place = findPlace(scene, variable.paths.front());
+    return place ? text(place->property->unit) : QString();
+}
+
+void StudyPanel::startNew()
+{
+    m_runner.close();
+    m_view->setStudy(nullptr, nullptr);
+    m_file.clear();
+    m_isEdited = true;
+    Study study;
+    study.seconds = usualSeconds;
+    m_form->setStudy(study, [this](const StudyVariable& variable) { return unitOf(variable); });
+    m_pages->setCurrentIndex(1);
+    showState();
+}
+
+void StudyPanel::study(const Property& property, const std::vector<Id>& ids,
+                       const std::optional<SliderRange>& range)
+{
+    auto variable = suggestedVariable(m_document.scene(), property, ids, range);
+    if (!variable) {
+        emit said(translated(variable.message()));
+        return;
+    }
+    const bool isOfTheDesign =
+        m_pages->currentIndex() == 1
+        && (m_file.isEmpty()
+            || (m_runner.study() && !m_document.file().isEmpty()
+                && QFileInfo(QString::fromStdString(m_runner.study()->sceneFile.string()))
+                       == QFileInfo(m_document.file())));
+    if (!isOfTheDesign)
+        startNew();
+    m_form->add(std::move(*variable));
+}
+
+void StudyPanel::browse()
+{
+    const QString folder =
+        m_document.file().isEmpty() ? QString() : QFileInfo(m_document.file()).path();
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Open a study"), folder, studyFilter());
+    if (!file.isEmpty())
+        open(file);
+}
+
+void StudyPanel::open(const QString& file)
+{
+    m_runsOnceOpen = false;
+    m_runner.open(pathOf(file));
+    showState();
+}
+
+void StudyPanel::showOpened()
+{
+    const OpenedStudy& opened = *m_runner.study();
+    m_file = QString::fromStdString(opened.file.string());
+    m_isEdited = false;
+    m_form->setStudy(opened.study,
+                     [this](const StudyVariable& variable) { return unitOf(variable); });
+    m_view->setStudy(&opened, &m_runner.flights());
+    m_pages->setCurrentIndex(1);
+    if (std::exchange(m_runsOnceOpen, false))
+        m_runner.fly(jobs());
+    showState();
+}
+
+// --- running ------------------------------------------------------------------------------------
+
+// A study flies the design as its file has it.
+bool StudyPanel::saveDesign()
+{
+    if (!m_document.file().isEmpty() && !m_document.isModified())
+        return true;
+    const auto answer = QMessageBox::question(
+        this, tr("Save the design?"),
+        tr("A study flies the design as it is saved. Save the changes to %1 now?")
+            .arg(m_document.displayName()),
+        QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer != QMessageBox::Save)
+        return false;
+    QString file = m_document.file();
+    if (file.isEmpty())
+        file = QFileDialog::getSaveFileName(this, tr("Save the design"),
+                                            m_document.displayName() + ".ripstop.json",
+                                            tr("Scenes (*.ripstop.json)"));
+    if (file.isEmpty())
+        return false;
+    if (const auto failure = m_document.save(file)) {
+        QMessageBox::warning(this, tr("Cannot save the design"), translated(failure->message));
+        return false;
+    }
+    return true;
+}
+
+// Beside the design, and never a file that is there.
+QString StudyPanel::freeName() const
+{
+    const QFileInfo design(m_document.file());
+    QString name = design.fileName();
+    for (const char* known : {".json", ".ripstop"})
+        if (name.endsWith(QLatin1String(known)))
+            name.chop(qsizetype(qstrlen(known)));
+    QString file = design.dir().filePath(name + ending());
+    for (int i = 2; QFileInfo::exists(file); ++i)
+        file = design.dir().filePath(QStringLiteral("%1 %2").arg(name).arg(i) + ending());
+    return file;
+}
+
+bool StudyPanel::saveStudy()
+{
+    Study study = m_form->study();
+    QString file = m_file;
+    if (file.isEmpty()) {
+        if (!saveDesign())
+            return false;
+        file = freeName();
+        study.scene = QFileInfo(m_document.file()).fileName().toStdString();
+    }
+    const std::string text = studyText(study);
+    if (const auto again = studyOf(text); !again) { // what cannot be read is not written
+        m_state->setText(tr("The study %1.").arg(translated(again.message())));
+        return false;
+    }
+    if (const auto failure = replaceFile(pathOf(file), text)) {
+        m_state->setText(translated(failure->message));
+        return false;
+    }
+    m_file = file;
+    return true;
+}
+
+void StudyPanel::run()
+{
+    if (m_form->study().variables.empty()) {
+        m_state->setText(tr("Nothing varies yet: choose Study this on a property."));
+        return;
+    }
+    const bool isOfOpen = m_runner.study() && !m_isEdited;
+    const bool isOfDesign =
+        m_runner.study()
+        && QFileInfo(QString::fromStdString(m_runner.study()->sceneFile.string()))
+               == QFileInfo(m_document.file());
+    if (isOfDesign && !saveDesign())
+        return;
+    if (!isOfOpen && !saveStudy())
+        return;
+    // opened again in any case: the design may have been saved since
+    m_runsOnceOpen = true;
+    m_runner.open(pathOf(m_file));
+    showState();
+}
+
+void StudyPanel::stop()
+{
+    m_runsOnceOpen = false;
+    m_runner.stop();
+}
+
+void StudyPanel::showState()
+{
+    using Task = StudyRunner::Task;
+    const Task task = m_runner.task();
+    m_title->setText(m_file.isEmpty() ? tr("New study")
+                                      : QFileInfo(m_file).fileName().remove(ending()));
+    m_title->setToolTip(QDir::toNativeSeparators(m_file));
+    m_run->setText(task == Task::None ? tr("&Run") : tr("&Stop"));
+    m_form->setEnabled(task != Task::Flying);
+    const bool isKnown = m_runner.study() != nullptr;
+    const StudyTally tally = m_runner.tally();
+    const auto all = int(m_runner.flights().size());
+    m_progress->setVisible(isKnown || task != Task::None);
+    m_progress->setMaximum(task == Task::Opening || task == Task::Watching ? 0 : std::max(1, all));
+    m_progress->setValue(int(tally.flown));
+    m_progress->setFormat(tr("%1 of %2 flown").arg(tally.flown).arg(all));
+    if (task == Task::Opening)
+        return m_state->setText(tr("Opening…"));
+    if (task == Task::Watching)
+        return m_state->setText(tr("Flying it again…"));
+    if (!isKnown)
+        return m_state->clear();
+    QString words = tr("Something tore in %1, %2 ended early.").arg(tally.torn).arg(tally.stopped);
+    if (const double left = m_runner.secondsLeft(); std::isfinite(left))
+        words += ' ' + tr("About %1 left.").arg(timeText(left));
+    if (m_isEdited)
+        words +=
+            ' ' + tr("The map is that of the study before you changed it; Run flies the rest.");
+    m_state->setText(words);
+}
+
+void StudyPanel::showFailure(const Message& why)
+{
+    m_runsOnceOpen = false;
+    showState();
+    if (m_pages->currentIndex() == 1)
+        m_state->setText(translated(why));
+    else
+        QMessageBox::warning(this, tr("Cannot open the study"), translated(why));
+}
+
+void StudyPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_view->refresh();
+}
+
+// --- what is done with a flight -----------------------------------------------------------------
+
+void StudyPanel::watched(const std::shared_ptr<Recording>& recording, std::size_t point,
+                         bool isSame)
+{
+    const QString values = StudyView::valuesOf(*m_runner.study(), point);
+    recording->setName(values.toStdString());
+    recording->setOrigin(m_title->text().toStdString());
+    m_recordings.add(recording);
+    const FlightResult* flight = m_runner.flights()[point];
+    m_recordings.seekTime(flight && flight->torn > 0
+                              ? flight->firstTear
+                              : recording->timeOf(recording->frameCount() - 1));
+    emit said(isSame ? tr("%1: flown again, the same to the bit. The timeline has it.").arg(values)
+                     : tr("%1: flown again, and it came to another state than the study has: the "
+                          "study is of another version or machine.")
+                           .arg(values));
+}
+
+void StudyPanel::applyToDesign(std::size_t point)
+{
+    std::vector<Edit> edits;
+    for (const std::string& one : m_runner.study()->assignments(point)) {
+        const auto edit = assignment(m_document.scene(), one);
+        if (!edit) {
+            m_state->setText(tr("The open design cannot take it. %1: %2")
+                                 .arg(QString::fromStdString(one), translated(edit.message())));
+            return;
+        }
+        edits.push_back(*edit);
+    }
+    Edit all{Message("Values of a study"), {}};
+    for (Edit& edit : edits)
+        std::ranges::move(edit.changes, std::back_inserter(all.changes));
+    m_document.push(std::move(all));
+    emit said(tr("The design has the values of the study now: %1")
+                  .arg(StudyView::valuesOf(*m_runner.study(), point)));
+}
+
+void StudyPanel::saveTable()
+{
+    if (!m_runner.study())
+        return;
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save the table"),
+                                                      QString(m_file).replace(ending(), ".csv"),
+                                                      tr("Tables (*.csv)"));
+    if (file.isEmpty())
+        return;
+    LedgerRows rows;
+    for (std::size_t i = 0; i < m_runner.flights().size(); ++i)
+        if (const FlightResult* flight = m_runner.flights()[i])
+            rows.emplace(m_runner.study()->key(i), *flight);
+    if (const auto failure =
+            replaceFile(pathOf(file), studyTable(*m_runner.study(), rows), Flush::ToDisk))
+        QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
+    else
+        emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+}
+
+} // namespace ripstop

@@ -1,0 +1,87 @@
+// The study panel: a design flown with many values in the background, and the map of what came of
+// it.
+//
+// "Study this" on a property makes a study of the open design, or adds a variable to the one that
+// is shown. Run writes the file of the study, beside the design, and flies what is missing on all
+// cores but one; it can be stopped at any moment and goes on where it was. A flight of the map can
+// be watched, which computes it again with all of its frames and compares the hash, and its values
+// can be given to the design. The form (study_form.h) edits, the view (study_view.h) shows, and the
+// runner (study_runner.h) works. Only the window's thread uses it.
+#pragma once
+
+#include "study/study_runner.h"
+
+#include "scene/slider.h"
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedLayout;
+
+namespace ripstop {
+
+class Document;
+class Recordings;
+class StudyForm;
+class StudyView;
+
+class StudyPanel final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    StudyPanel(Document& document, Recordings& recordings, QWidget* parent = nullptr);
+
+    // Varies this property, in the study that is shown or in a new one of the open design.
+    void study(const Property& property, const std::vector<Id>& ids,
+               const std::optional<SliderRange>& range);
+    void browse(); // asks for the file of a study
+    void open(const QString& file);
+    void run(); // saves, and flies what is missing
+    void stop();
+
+    const StudyRunner& runner() const { return m_runner; }
+    StudyView& view() { return *m_view; }
+    StudyForm& form() { return *m_form; }
+    QString file() const { return m_file; } // empty while it was never saved
+    QString state() const;                  // what is said below the form
+
+signals:
+    void said(const QString& words); // for the status bar
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* emptyPage();
+    QWidget* formSide();
+    void startNew();
+    bool saveDesign();
+    bool saveStudy();
+    QString freeName() const;
+    void showOpened();
+    void showState();
+    void showFailure(const Message& why);
+    void watched(const std::shared_ptr<Recording>& recording, std::size_t point, bool isSame);
+    void applyToDesign(std::size_t point);
+    void saveTable();
+    QString unitOf(const StudyVariable& variable) const;
+
+    Document& m_document;
+    Recordings& m_recordings;
+    QStackedLayout* m_pages;
+    QLabel* m_title;
+    StudyForm* m_form;
+    StudyView* m_view;
+    QPushButton* m_run;
+    QProgressBar* m_progress;
+    QLabel* m_state;
+    QString m_file;
+    bool m_isEdited = false; // since it was written
+    bool m_runsOnceOpen = false;
+    StudyRunner m_runner; // last: it ends before what hears of it
+};
+
+} // namespace ripstop

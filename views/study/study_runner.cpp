@@ -1,0 +1,180 @@
+// begin() ends what is under way and starts a thread, whose work hands in its outcome as a function
+// to be called on the window's thread. A call with an outdated outcome cannot come: the thread is
+// joined before another starts, and what it has posted is dropped by its number.
+#include "study/study_runner.h"
+
+#include "recording/recorder.h"
+
+#include <limits>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+constexpr int pause = 100; // ms, between two looks at what has been flown
+
+} // namespace
+
+StudyRunner::StudyRunner(QObject* parent)
+    : QObject(parent)
+{
+    m_tick.setInterval(pause);
+    connect(&m_tick, &QTimer::timeout, this, &StudyRunner::collect);
+}
+
+StudyRunner::~StudyRunner() { stop(); }
+
+void StudyRunner::stop()
+{
+    m_stops = true;
+    if (m_thread.joinable())
+        m_thread.join();
+    m_stops = false;
+    collect();
+    m_tick.stop();
+    if (std::exchange(m_task, Task::None) != Task::None)
+        emit ended();
+}
+
+void StudyRunner::close()
+{
+    stop();
+    m_study = nullptr;
+    m_flights.clear();
+    m_rows.clear();
+}
+
+template <typename Work>
+void StudyRunner::begin(Task task, Work work)
+{
+    stop();
+    m_task = task;
+    m_thread = std::jthread([this, work, number = ++m_number] {
+        const std::function<void()> outcome = work();
+        QMetaObject::invokeMethod(
+            this,
+            [this, number, outcome] {
+                if (m_task == Task::None || m_number != number) // it was stopped
+                    return;
+                m_thread.join();
+                collect();
+                m_tick.stop();
+                m_task = Task::None;
+                outcome();
+                emit ended();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void StudyRunner::open(const std::filesystem::path& file)
+{
+    begin(Task::Opening, [this, file]() -> std::function<void()> {
+        struct Found
+        {
+            std::shared_ptr<const OpenedStudy> study;
+            LedgerContent content;
+            StudyFlights flights;
+        };
+        const auto fail = [this](const Message& why) { return [this, why] { emit failed(why); }; };
+        auto study = openStudy(file);
+        if (!study)
+            return fail(study.message());
+        auto content = readLedgers(ledgerFolder(file));
+        if (!content)
+            return fail(content.message());
+        const auto found = std::make_shared<Found>();
+        found->study = std::make_shared<const OpenedStudy>(std::move(*study));
+        found->content = std::move(*content);
+        found->flights = flightsOf(*found->study, found->content.rows);
+        return [this, found] {
+            m_study = found->study;
+            m_rows = std::move(found->content.rows); // rows stay where they are
+            m_flights = std::move(found->flights);
+            emit opened();
+        };
+    });
+}
+
+void StudyRunner::fly(int jobs)
+{
+    if (!m_study)
+        return;
+    const auto study = m_study;
+    const auto points =
+        std::make_shared<const std::vector<std::size_t>>(missingPoints(*study, m_rows));
+    begin(Task::Flying, [this, study, points, jobs]() -> std::function<void()> {
+        const auto isStopped = [this] { return m_stops.load(); };
+        const auto tell = [this](std::size_t point, const FlightResult& flight, const StudyTally&) {
+            const std::lock_guard lock(m_mutex);
+            m_news.push_back({point, flight});
+        };
+        const auto tally = flyPoints(*study, *points, {}, jobs, isStopped, tell);
+        if (!tally)
+            return [this, why = tally.message()] { emit failed(why); };
+        return [this, study] {
+            m_flights = flightsOf(*study, m_rows); // points that are alike were flown once
+            emit grew();
+        };
+    });
+    m_missing = points->size();
+    m_done = 0;
+    m_clock.start();
+    m_tick.start();
+}
+
+void StudyRunner::collect()
+{
+    std::vector<Flown> news;
+    {
+        const std::lock_guard lock(m_mutex);
+        news.swap(m_news);
+    }
+    if (news.empty())
+        return;
+    for (Flown& one : news) {
+        const auto [row, isNew] = m_rows.emplace(m_study->key(one.point), std::move(one.flight));
+        m_flights[one.point] = &row->second;
+    }
+    m_done += news.size();
+    emit grew();
+}
+
+void StudyRunner::watch(std::size_t point)
+{
+    if (!m_study)
+        return;
+    const auto study = m_study;
+    const std::string known = m_flights[point] ? m_flights[point]->hash : std::string();
+    begin(Task::Watching, [this, study, point, known]() -> std::function<void()> {
+        Recorder recorder;
+        const auto flight = flyPoint(
+            *study, point, [this] { return m_stops.load(); }, &recorder);
+        if (!flight)
+            return [] {};
+        const std::shared_ptr<Recording> recording = recorder.recording();
+        if (!recording || recording->frameCount() == 0)
+            return [this, why = flight->whyEarly()] { emit failed(Message("%1", why)); };
+        const bool isSame = known.empty() || known == flight->hash;
+        return [this, recording, point, isSame] { emit watched(recording, point, isSame); };
+    });
+}
+
+StudyTally StudyRunner::tally() const
+{
+    StudyTally tally;
+    for (const FlightResult* flight : m_flights)
+        if (flight)
+            tally.add(*flight);
+    return tally;
+}
+
+double StudyRunner::secondsLeft() const
+{
+    if (m_task != Task::Flying || m_done == 0)
+        return std::numeric_limits<double>::quiet_NaN();
+    const double each = 1e-3 * double(m_clock.elapsed()) / double(m_done);
+    return each * double(m_missing - std::min(m_done, m_missing));
+}
+
+} // namespace ripstop

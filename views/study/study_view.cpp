@@ -1,0 +1,260 @@
+#include "study/study_view.h"
+
+#include "document/words.h"
+#include "plots/chart_picture.h"
+#include "study/study_chart.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+QComboBox* narrowBox(const QString& name)
+{
+    auto* box = new QComboBox;
+    box->setAccessibleName(name);
+    box->setToolTip(name);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(10);
+    return box;
+}
+
+QString outcomeText(const FlightResult& flight)
+{
+    if (flight.endedEarly())
+        return StudyView::tr("Ended early at %1 s: %2")
+            .arg(compactNumber(flight.time), translated(flight.whyEarly()));
+    if (flight.torn > 0)
+        return StudyView::tr("Tore at %1 s, at a load of %2.")
+            .arg(compactNumber(flight.firstTear), QLocale().toString(flight.firstTearLoad, 'g', 4));
+    return StudyView::tr("Held.");
+}
+
+} // namespace
+
+StudyView::StudyView(QWidget* parent)
+    : QWidget(parent)
+    , m_reading(narrowBox(tr("What is shown")))
+    , m_x(narrowBox(tr("Variable to the right")))
+    , m_over(new QLabel(tr("over")))
+    , m_y(narrowBox(tr("Variable upwards")))
+    , m_slices(new QHBoxLayout)
+    , m_chart(new StudyChart)
+    , m_told(new QLabel)
+    , m_watch(new QPushButton(tr("&Watch this flight")))
+    , m_apply(new QPushButton(tr("&Apply to the design")))
+    , m_save(new QToolButton)
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addWidget(axesLine());
+    layout->addLayout(m_slices);
+    layout->addWidget(m_chart, 1);
+    layout->addWidget(flightLine());
+    connect(m_chart, &StudyChart::chosen, this, &StudyView::choose);
+    connect(m_chart, &StudyChart::pointedAt, this, &StudyView::describe);
+    connect(m_watch, &QPushButton::clicked, this, [this] { emit watchWanted(*m_chosen); });
+    connect(m_apply, &QPushButton::clicked, this, [this] { emit applyWanted(*m_chosen); });
+    for (QComboBox* box : {m_reading, m_x, m_y})
+        connect(box, &QComboBox::activated, this, [this, box] {
+            if (box != m_reading)
+                fillSlices();
+            refresh();
+        });
+    choose(std::nullopt);
+}
+
+QWidget* StudyView::axesLine()
+{
+    m_save->setText(tr("Save"));
+    m_save->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(m_save);
+    menu->addAction(tr("&Table (CSV)…"), this, &StudyView::tableWanted);
+    menu->addAction(tr("&Picture (SVG, PDF, PNG)…"), this, &StudyView::savePictureAs);
+    m_save->setMenu(menu);
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_reading, 2);
+    layout->addWidget(m_over);
+    layout->addWidget(m_x, 1);
+    layout->addWidget(m_y, 1);
+    layout->addWidget(m_save);
+    return line;
+}
+
+QWidget* StudyView::flightLine()
+{
+    m_told->setTextFormat(Qt::PlainText);
+    m_told->setWordWrap(true);
+    m_told->setMinimumHeight(2 * m_told->fontMetrics().lineSpacing());
+    m_told->setObjectName(QStringLiteral("told"));
+    m_watch->setToolTip(tr("Fly it again with all of its frames, to the moment when it tears or to "
+                           "its end, and compare its hash with that of the study."));
+    m_apply->setToolTip(tr("Give the open design the values of this flight, as one step."));
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_told, 1);
+    layout->addWidget(m_watch);
+    layout->addWidget(m_apply);
+    return line;
+}
+
+QString StudyView::valuesOf(const OpenedStudy& study, std::size_t point)
+{
+    const std::vector<std::string> values = study.points.values(point);
+    QStringList all;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        bool isNumber = false;
+        const double number = QString::fromStdString(values[v]).toDouble(&isNumber);
+        all << QStringLiteral("%1 %2").arg(QString::fromStdString(study.study.variables[v].name),
+                                           isNumber ? QLocale().toString(number, 'g', 4)
+                                                    : QString::fromStdString(values[v]));
+    }
+    return all.join(QStringLiteral(", "));
+}
+
+void StudyView::setStudy(const OpenedStudy* study, const StudyFlights* flights)
+{
+    m_study = study;
+    m_flights = flights;
+    m_chosen = std::nullopt;
+    if (study) {
+        fillChoices();
+        fillSlices();
+    }
+    refresh();
+    choose(std::nullopt);
+}
+
+// What was chosen before stays where a study of the same name still has it.
+void StudyView::fillChoices()
+{
+    const auto fill = [](QComboBox& box, const QStringList& texts, int usual) {
+        const QString before = box.currentText();
+        box.clear();
+        box.addItems(texts);
+        const int again = box.findText(before);
+        box.setCurrentIndex(again >= 0 ? again : std::min(usual, box.count() - 1));
+    };
+    QStringList readings;
+    for (const std::string& one : readingsOf(*m_study))
+        readings << QString::fromStdString(one);
+    fill(*m_reading, readings, 0);
+    QStringList variables;
+    for (const StudyVariable& variable : m_study->study.variables)
+        variables << QString::fromStdString(variable.name);
+    fill(*m_x, variables, 0);
+    variables << tr("(none)");
+    fill(*m_y, variables, variables.size() > 2 ? 1 : int(variables.size()) - 1);
+    for (QWidget* one : std::initializer_list<QWidget*>{m_x, m_y})
+        one->setVisible(variables.size() > 2);
+    m_over->setVisible(variables.size() > 2);
+}
+
+// A box for each further variable of a grid.
+void StudyView::fillSlices()
+{
+    for (QComboBox* box : m_sliceBoxes)
+        if (box)
+            box->parentWidget()->deleteLater();
+    m_sliceBoxes.assign(m_study->study.variables.size(), nullptr);
+    if (m_study->study.plan.kind != StudyPlan::Kind::Grid)
+        return;
+    for (std::size_t v = 0; v < m_sliceBoxes.size(); ++v) {
+        if (int(v) == m_x->currentIndex() || int(v) == m_y->currentIndex())
+            continue;
+        const StudyVariable& variable = m_study->study.variables[v];
+        auto* box = narrowBox(tr("The value at which the map is cut"));
+        for (const std::string& value : variable.values)
+            box->addItem(QString::fromStdString(value));
+        auto* pair = new QWidget;
+        auto* layout = new QHBoxLayout(pair);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->addWidget(new QLabel(tr("at %1").arg(QString::fromStdString(variable.name))));
+        layout->addWidget(box);
+        layout->addStretch();
+        m_slices->addWidget(pair);
+        m_sliceBoxes[v] = box;
+        connect(box, &QComboBox::activated, this, &StudyView::refresh);
+    }
+}
+
+void StudyView::refresh()
+{
+    if (!m_study) {
+        m_chart->show({}, {});
+        return;
+    }
+    MapChoice choice;
+    choice.x = std::size_t(std::max(0, m_x->currentIndex()));
+    const auto y = std::size_t(std::max(0, m_y->currentIndex()));
+    if (y < m_study->study.variables.size() && y != choice.x)
+        choice.y = y;
+    choice.reading = std::size_t(std::max(0, m_reading->currentIndex()));
+    for (const QComboBox* box : m_sliceBoxes)
+        choice.slice.push_back(box ? std::size_t(box->currentIndex()) : 0);
+    m_chart->show(mapOf(*m_study, *m_flights, choice), m_reading->currentText());
+    describe(-1);
+}
+
+void StudyView::choose(std::optional<std::size_t> point)
+{
+    m_chosen = point;
+    m_chart->mark(point);
+    for (QPushButton* button : {m_watch, m_apply})
+        button->setEnabled(point.has_value());
+    describe(-1);
+}
+
+// Of the flight below the pointer, or of the chosen one.
+void StudyView::describe(qlonglong point)
+{
+    if (!m_study)
+        return m_told->clear();
+    if (point < 0 && m_chosen)
+        point = qlonglong(*m_chosen);
+    if (point < 0)
+        return m_told->setText(tr("Click a flight to watch it or to take its values."));
+    QString text = valuesOf(*m_study, std::size_t(point)) + QStringLiteral(": ");
+    if (const FlightResult* flight = (*m_flights)[std::size_t(point)]) {
+        const double value =
+            readingOf(*flight, std::size_t(std::max(0, m_reading->currentIndex())));
+        if (std::isfinite(value))
+            text +=
+                tr("%1 is %2. ").arg(m_reading->currentText(), QLocale().toString(value, 'g', 4));
+        text += outcomeText(*flight);
+    } else {
+        text += tr("not flown yet.");
+    }
+    m_told->setText(text);
+}
+
+void StudyView::savePictureAs()
+{
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Save the picture"), QStringLiteral("study.svg"),
+                                     tr("Pictures (*.svg *.pdf *.png)"));
+    if (file.isEmpty())
+        return;
+    if (savePicture(m_chart->plot(), file))
+        emit said(tr("Saved %1").arg(QFileInfo(file).fileName()));
+    else
+        QMessageBox::warning(this, tr("Cannot save the picture"),
+                             tr("%1 cannot be written.").arg(file));
+}
+
+} // namespace ripstop
