@@ -99,8 +99,6 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
         if (plan.untilTear && !simulation.state().tears.empty())
             break;
     }
-    if (recorder)
-        recorder->finish();
     flight.time = simulation.state().time;
     flight.steps = simulation.state().step;
     flight.hash = hashText(stateHash(simulation.state()));

@@ -45,7 +45,8 @@ struct FlightResult
 };
 
 // Flies it. What cannot be compiled or diverges is a flight that says so; nothing comes back when
-// it was interrupted. A recorder keeps the flight, frame by frame.
+// it was interrupted. A recorder keeps the flight, frame by frame; who
+// has it takes the recording and finishes it.
 std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls,
                                 const FlightPlan& plan, Recorder* recorder = nullptr);
 

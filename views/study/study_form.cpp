@@ -24,7 +24,8 @@ constexpr int usualCount = 64; // points of a plan that draws them
 
 bool isDrawn(PlanKind kind)
 {
-    return kind == PlanKind::LatinHypercube || kind == PlanKind::Sobol || kind == PlanKind::MonteCarlo;
+    return kind == PlanKind::LatinHypercube || kind == PlanKind::Sobol
+           || kind == PlanKind::MonteCarlo;
 }
 
 QString judgeSeconds(const QString& typed)

@@ -60,8 +60,8 @@ void StudyRunner::begin(Task task, Work work)
                 collect();
                 m_tick.stop();
                 m_task = Task::None;
-                outcome();
                 emit ended();
+                outcome();
             },
             Qt::QueuedConnection);
     });
@@ -153,6 +153,7 @@ void StudyRunner::watch(std::size_t point)
         if (!flight)
             return [] {};
         const std::shared_ptr<Recording> recording = recorder.recording();
+        recorder.finish();
         if (!recording || recording->frameCount() == 0)
             return [this, why = flight->whyEarly()] { emit failed(Message("%1", why)); };
         const bool isSame = known.empty() || known == flight->hash;
