@@ -23,6 +23,8 @@
 #include "icons/icon.h"
 #include "language/language.h"
 #include "look/scene_frame.h"
+#include "study/study.h"
+#include "study/study_panel.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
@@ -65,6 +67,14 @@ Result<std::vector<Id>> meant(const QString& text, const Scene& scene)
         return Failure("no item of the scene is called \"%1\", and it is no condition: %2",
                        text.toStdString(), ids.message());
     return ids;
+}
+
+std::optional<Failure> openSceneOfStudy(Document& document, const QString& file)
+{
+    const auto study = readStudy(pathOf(file));
+    if (!study)
+        return study.failure();
+    return document.open(QString::fromStdString((study->folder / study->scene).string()));
 }
 
 // Whether the command line only asks what needs no window. Such questions are answered also where
@@ -112,8 +122,10 @@ int main(int argc, char** argv)
         translation.install(*options->language);
 
     Document document;
+    const bool isStudy = StudyPanel::isStudy(options->scene);
     if (!options->scene.isEmpty())
-        if (const auto failure = document.open(options->scene))
+        if (const auto failure = isStudy ? openSceneOfStudy(document, options->scene)
+                                         : document.open(options->scene))
             return refuse(translated(failure->message), 1);
     if (!options->fit.isEmpty() && itemCalled(options->fit, document.scene()).empty())
         return refuse(QString("no item of the scene is called \"%1\"").arg(options->fit), 1);
@@ -129,6 +141,8 @@ int main(int argc, char** argv)
         window.resize(*options->size);
     if (!options->scene.isEmpty())
         window.showScene();
+    if (isStudy)
+        window.openStudy(options->scene);
     if (options->viewOnly)
         window.showViewOnly();
     window.viewport().setColorBy(options->colorBy);

@@ -24,6 +24,7 @@
 #include "inspector/inspector.h"
 #include "loads/load_panel.h"
 #include "start/start_page.h"
+#include "study/study_panel.h"
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"
 #include "transport/control_keys.h"
@@ -169,6 +170,7 @@ void MainWindow::connectParts()
     m_status->hear(*m_arrivals);
     m_status->follow(*m_recordings);
     m_status->follow(*m_viewport);
+    connect(&m_docks->panel<StudyPanel>(), &StudyPanel::designWanted, m_files, &Files::open);
     connect(&m_docks->panel<LoadPanel>(), &LoadPanel::chosen, m_viewport,
             [this](quint32 element) { m_viewport->centre({Id{element}}); });
     connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
@@ -255,6 +257,8 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
     const QString file = droppedFile(event->mimeData());
     const bool isRun = RunFiles::isRecording(file);
+    if (StudyPanel::isStudy(file))
+        return openStudy(file);
     if (!isRun && !ImportDialog::isMesh(file)) {
         m_files->open(file);
         return;
@@ -264,6 +268,12 @@ void MainWindow::dropEvent(QDropEvent* event)
     QMetaObject::invokeMethod(
         this, [this, file, isRun] { isRun ? openRun(file) : m_arrivals->importMesh(file); },
         Qt::QueuedConnection);
+}
+
+void MainWindow::openStudy(const QString& file)
+{
+    m_docks->show("study");
+    m_docks->panel<StudyPanel>().open(file);
 }
 
 void MainWindow::openRun(const QString& file)

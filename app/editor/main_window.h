@@ -59,6 +59,7 @@ public:
     void showStartPage();
     void showViewOnly();               // hides all bars and docks, for pictures
     void openRun(const QString& file); // opens a recording
+    void openStudy(const QString& file);
 
 protected:
     void closeEvent(QCloseEvent* event) override;

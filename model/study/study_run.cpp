@@ -1,5 +1,8 @@
+// flyPoints() takes the next point in each of its threads, and adds a row under a lock as soon as one
+// is over.
 #include "study/study_run.h"
 
+#include "recording/recorder.h"
 #include "study/many.h"
 
 #include <cmath>
@@ -7,6 +10,24 @@
 #include <set>
 
 namespace ripstop {
+namespace {
+
+std::optional<FlightResult> flyWith(const OpenedStudy& opened, std::size_t point,
+                                    const std::function<bool()>& isInterrupted, Recorder* recorder)
+{
+    const auto scene = sceneOf(opened, point);
+    if (!scene) {
+        FlightResult none;
+        none.measured.assign(opened.plan.measures.size(), std::nan(""));
+        none.stopped = scene.message().english();
+        return none;
+    }
+    FlightPlan plan = opened.plan;
+    plan.isInterrupted = isInterrupted;
+    return fly(*scene, opened.controls, plan, recorder);
+}
+
+} // namespace
 
 std::string Shard::name() const
 {
@@ -27,18 +48,21 @@ std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRo
 }
 
 std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point,
-                                     const std::function<bool()>& isInterrupted, Recorder* recorder)
+                                     const std::function<bool()>& isInterrupted)
 {
-    const auto scene = sceneOf(opened, point);
-    if (!scene) {
-        FlightResult none;
-        none.measured.assign(opened.plan.measures.size(), std::nan(""));
-        none.stopped = scene.message().english();
-        return none;
-    }
-    FlightPlan plan = opened.plan;
-    plan.isInterrupted = isInterrupted;
-    return fly(*scene, opened.controls, plan, recorder);
+    return flyWith(opened, point, isInterrupted, nullptr);
+}
+
+std::optional<RecordedFlight> flyRecorded(const OpenedStudy& opened, std::size_t point,
+                                          const std::function<bool()>& isInterrupted)
+{
+    Recorder recorder;
+    auto flight = flyWith(opened, point, isInterrupted, &recorder);
+    if (!flight)
+        return std::nullopt;
+    RecordedFlight recorded{std::move(*flight), recorder.recording()};
+    recorder.finish();
+    return recorded;
 }
 
 void StudyTally::add(const FlightResult& flight)

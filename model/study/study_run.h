@@ -9,11 +9,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ripstop {
+
+class Recording; // recording/recording.h
 
 struct Shard // the points i with i % count == place
 {
@@ -28,10 +31,17 @@ std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRo
                                        const Shard& shard = {});
 
 // Nothing when it was interrupted.
-//   recorder  keeps the flight, frame by frame; null: nobody does
 std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point,
-                                     const std::function<bool()>& isInterrupted,
-                                     Recorder* recorder = nullptr);
+                                     const std::function<bool()>& isInterrupted);
+
+// The same flight with all of its frames.
+struct RecordedFlight
+{
+    FlightResult flight;
+    std::shared_ptr<Recording> recording; // null where nothing could be flown
+};
+std::optional<RecordedFlight> flyRecorded(const OpenedStudy& opened, std::size_t point,
+                                          const std::function<bool()>& isInterrupted);
 
 struct StudyTally
 {

@@ -16,6 +16,8 @@
 #include "materials/presets.h"
 #include "scene/property.h"
 #include "select/select.h"
+#include "study/study_panel.h"
+#include "study/study_view.h"
 #include "views/small_scenes.h"
 
 #include <QAbstractButton>
@@ -180,6 +182,53 @@ void ofTheTrade(WindowShop& shop, WindowWalk& walk)
     shop.window.docks().show("inspector");
 }
 
+// A kite whose line tears or holds in gusts: the study when it is begun, its map with a flight that
+// is chosen and watched, points that are drawn, and one variable alone.
+void studied(WindowShop& shop, WindowWalk& walk)
+{
+    QTemporaryDir folder;
+    const QString scene = folder.filePath("kite_in_gusts.ripstop.json");
+    QFile::copy(samples + "kite_in_gusts.ripstop.json", scene);
+    open(shop, Scene{});
+    (void)shop.document.open(scene);
+    shop.window.docks().show("study");
+    auto& panel = shop.window.docks().panel<StudyPanel>();
+    walk.window("study none");
+    const auto fly = [&](const char* name, const char* variables, const char* plan) {
+        QFile file(folder.filePath(QString("%1.ripstop-study.json").arg(name)));
+        (void)file.open(QIODevice::WriteOnly);
+        file.write(QString(R"({"format": "ripstop-study", "version": 1, "seconds": 2,
+            "scene": "kite_in_gusts.ripstop.json", "untilTear": true, "variables": [%1],
+            "plan": %2, "measures": [{"probe": "line tension", "reduction": "max"}]})")
+                       .arg(variables, plan)
+                       .toUtf8());
+        file.close();
+        panel.open(file.fileName());
+        const auto rests = [&] { return panel.runner().task() == StudyRunner::Task::None; };
+        (void)QTest::qWaitFor(rests, 20000);
+        walk.window(QString("study %1 begun").arg(name));
+        panel.run();
+        (void)QTest::qWaitFor(
+            [&] {
+                return rests() && panel.runner().tally().flown == panel.runner().flights().size();
+            },
+            120'000);
+        walk.window(QString("study %1").arg(name));
+    };
+    constexpr auto stiffness = R"({"name": "EA", "paths": ["line.axialStiffness"], "from": 1500,
+        "to": 24000, "count": 4, "scale": "log"})";
+    const QByteArray both = QByteArray(stiffness) + R"(, {"name": "strength",
+        "paths": ["line.lineStrength"], "from": 40, "to": 120, "count": 5})";
+    fly("one", stiffness, R"({"kind": "grid"})");
+    fly("drawn", both, R"({"kind": "sobol", "count": 14})");
+    fly("map", both, R"({"kind": "grid"})");
+    panel.view().choose(9);
+    walk.window("study chosen");
+    emit panel.view().watchWanted(9);
+    (void)QTest::qWaitFor([&] { return panel.runner().task() == StudyRunner::Task::None; }, 20000);
+    walk.window("study watched");
+}
+
 void comesByItself(WindowShop& shop, WindowWalk& walk)
 {
     QTemporaryDir folder;
@@ -310,6 +359,7 @@ void showEverything(WindowShop& shop, const WindowWalk::Look& look)
     tuned(shop, walk);
     walk.tools("flown");
     ofTheTrade(shop, walk);
+    studied(shop, walk);
     comesByItself(shop, walk);
 }
 

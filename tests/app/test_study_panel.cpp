@@ -118,7 +118,7 @@ private slots:
         QTest::mouseClick(&chart.plot(), Qt::LeftButton, {},
                           chart.placeOf(10).toPoint());
         QVERIFY(shop.panel.view().chosen() == std::size_t(10));
-        QTest::mouseClick(&shop.button("Watch this flight"), Qt::LeftButton);
+        QTest::mouseClick(&shop.button("Watch"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(shop.isDone(), patience);
         QVERIFY2(shop.lastSaid().contains("the same to the bit"),
                  qPrintable(shop.lastSaid() + shop.panel.state()));
@@ -128,7 +128,7 @@ private slots:
         QVERIFY(std::abs(runs[0]->timeOf(runs[0]->frameCount() - 1) - 0.1) < 0.01);
 
         const Scene before = shop.document.scene();
-        QTest::mouseClick(&shop.button("Apply to the design"), Qt::LeftButton);
+        QTest::mouseClick(&shop.button("Apply"), Qt::LeftButton);
         QCOMPARE(shop.document.scene().settings.gravity, Vec3(0.5 * before.settings.gravity));
         QCOMPARE(shop.document.history().count(), 1);
         shop.document.history().undo();

@@ -1,8 +1,10 @@
 // A study seen over two of its variables: what each cell is, and the lines over them.
 #include "model/cli_call.h"
 #include "model/files.h"
+#include "scene/path.h"
 #include "study/study_map.h"
 #include "study/study_table.h"
+#include "study/suggested_variable.h"
 
 #include <QtTest>
 
@@ -169,6 +171,60 @@ private slots:
         const StudyTally tally = tallyOf(*opened, rows);
         QCOMPARE(tally.flown, std::size_t(11));
         QCOMPARE(tally.stopped, std::size_t(1));
+    }
+
+    // --- what somebody points at ----------------------------------------------------------------
+
+    // By name where that finds it again, by id where another item has the name, or it is an
+    // element.
+    void pathsFindTheirThing()
+    {
+        Scene scene;
+        Material cord;
+        cord.name = "cord";
+        for (int i = 0; i < 2; ++i)
+            scene.items.push_back({takeId(scene), cord});
+        Wind wind;
+        wind.name = "wind";
+        scene.items.push_back({takeId(scene), wind});
+        const Property& compliance = propertyOf<&Material::compliance>();
+        QCOMPARE(pathOf(scene, scene.items[0].id, compliance), std::string("cord.compliance"));
+        QCOMPARE(pathOf(scene, scene.items[1].id, compliance), std::string("#2.compliance"));
+        QCOMPARE(pathOf(scene, settingsId, propertyOf<&Settings::gravity>()),
+                 std::string("settings.gravity"));
+        for (const Entry& entry : scene.items)
+            for (const Property& property : propertiesOf(kindOf(*find(std::as_const(scene), entry.id)))) {
+                const auto place = findPlace(scene, pathOf(scene, entry.id, property));
+                QVERIFY(place && place->property == &property);
+                QCOMPARE(place->targets, std::vector{entry.id});
+            }
+    }
+
+    void suggestsValuesRoundTheOneThatIs()
+    {
+        Scene scene;
+        scene.settings.airDensity = 1.2;
+        scene.settings.sweeps = 8;
+        scene.settings.gravity = {0.0, -10.0, 0.0};
+        const auto valuesOf = [&](const char* key, std::optional<SliderRange> range = {}) {
+            const auto variable =
+                suggestedVariable(scene, *findProperty(Kind::Settings, key), {settingsId}, range);
+            return variable ? variable->values : std::vector<std::string>();
+        };
+        // half to twice, by factors of the root of two
+        QCOMPARE(valuesOf("airDensity").front(), std::string("0.6"));
+        QCOMPARE(valuesOf("airDensity")[2], std::string("1.2"));
+        QCOMPARE(valuesOf("airDensity").back(), std::string("2.4"));
+        QCOMPARE(valuesOf("airDensity", SliderRange{0.0, 1.0}),
+                 (std::vector<std::string>{"0", "0.25", "0.5", "0.75", "1"}));
+        QCOMPARE(valuesOf("sweeps"), (std::vector<std::string>{"4", "7", "10", "13", "16"}));
+        QCOMPARE(valuesOf("gravity"),
+                 (std::vector<std::string>{"0, -5, 0", "0, -7.5, 0", "0, -10, 0", "0, -12.5, 0",
+                                           "0, -15, 0"}));
+        QVERIFY(valuesOf("integrator").size() > 2);
+        for (const std::string& name : valuesOf("integrator"))
+            QVERIFY(assignment(scene, "settings.integrator=" + name));
+        QVERIFY(valuesOf("title").empty());
     }
 
     // Points that are drawn lie where their numbers are, and vectors side by side.

@@ -3,6 +3,7 @@
 // are graphs, one for each of some shades, since a graph has one colour.
 #include "study/study_chart.h"
 
+#include "document/words.h"
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
 
@@ -35,22 +36,31 @@ QCPColorGradient colours()
     return gradient;
 }
 
+// The span of what is finite of it, with some room where all are alike, or from 0 to 1.
+template <typename Read>
+QCPRange spanOf(const StudyMap& map, const Read& read)
+{
+    double least = std::numeric_limits<double>::infinity();
+    double largest = -least;
+    for (const StudyMap::Point& point : map.points)
+        if (const double value = read(point); std::isfinite(value)) {
+            least = std::min(least, value);
+            largest = std::max(largest, value);
+        }
+    if (!(least <= largest))
+        return {0.0, 1.0};
+    const double room = least < largest ? 0.0 : std::max(1e-12, 0.05 * std::abs(least));
+    return {least - room, largest + room};
+}
+
 QCPRange valuesOf(const StudyMap& map)
 {
-    QCPRange range(std::numeric_limits<double>::infinity(),
-                   -std::numeric_limits<double>::infinity());
-    for (const StudyMap::Point& point : map.points)
-        if (std::isfinite(point.value)) {
-            range.lower = std::min(range.lower, point.value);
-            range.upper = std::max(range.upper, point.value);
-        }
-    if (!(range.lower <= range.upper))
-        return {0.0, 1.0};
-    if (range.lower == range.upper) {
-        const double room = std::max(1e-12, 0.05 * std::abs(range.lower));
-        return {range.lower - room, range.upper + room};
-    }
-    return range;
+    return spanOf(map, [](const StudyMap::Point& point) { return point.value; });
+}
+
+QString fourDigits(double number)
+{
+    return compactNumber(QString::number(number, 'g', 4).toDouble());
 }
 
 // Values of a grid at its columns, as many as have room.
@@ -61,8 +71,8 @@ QSharedPointer<QCPAxisTicker> gridTicker(const std::vector<std::string>& labels,
     for (std::size_t i = 0; i < labels.size(); i += every) {
         bool isNumber = false;
         const double number = QString::fromStdString(labels[i]).toDouble(&isNumber);
-        ticker->addTick(double(i), isNumber ? QLocale().toString(number, 'g', 4)
-                                            : QString::fromStdString(labels[i]));
+        ticker->addTick(double(i),
+                        isNumber ? fourDigits(number) : QString::fromStdString(labels[i]));
     }
     return ticker;
 }
@@ -176,18 +186,14 @@ void StudyChart::drawAxes()
     } else {
         giveScale(x, m_map.x.isLogarithmic);
         giveScale(y, m_map.y && m_map.y->isLogarithmic);
-        QCPRange across(std::numeric_limits<double>::infinity(),
-                        -std::numeric_limits<double>::infinity());
-        QCPRange up = across;
-        for (const StudyMap::Point& point : m_map.points) {
-            across.expand(QCPRange(point.x, point.x));
-            up.expand(QCPRange(point.y, point.y));
-        }
-        if (m_map.points.empty())
-            across = up = QCPRange(0.0, 1.0);
-        x.setRange(m_map.x.isLogarithmic ? across : withAir(across));
+        const auto fit = [&](QCPAxis& axis, const QCPRange& span) {
+            axis.setRange(axis.scaleType() == QCPAxis::stLogarithmic
+                              ? QCPRange(0.9 * span.lower, 1.1 * span.upper)
+                              : withAir(span));
+        };
+        fit(x, spanOf(m_map, [](const StudyMap::Point& point) { return point.x; }));
         if (!hasHeights())
-            y.setRange(m_map.y->isLogarithmic ? up : withAir(up));
+            fit(y, spanOf(m_map, [](const StudyMap::Point& point) { return point.y; }));
     }
     if (hasHeights())
         y.setRange(withAir(values));

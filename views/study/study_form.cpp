@@ -1,3 +1,5 @@
+// setStudy() shows a study; what a person changes goes through change(), which stays silent while
+// values are shown. Rows of variables are made anew whenever there is another one.
 #include "study/study_form.h"
 
 #include "document/words.h"
@@ -43,9 +45,10 @@ StudyForm::StudyForm(QWidget* parent)
     , m_variables(new QVBoxLayout)
     , m_hint(new QLabel)
     , m_plan(new QComboBox)
+    , m_draw(new QHBoxLayout)
     , m_count(new QSpinBox)
     , m_seed(new QSpinBox)
-    , m_seedLabel(new QLabel(tr("drawn with")))
+    , m_seedLabel(new QLabel(tr("with seed")))
     , m_seconds(new ValueEdit(judgeSeconds))
     , m_untilTear(new QCheckBox(tr("or until something tears")))
 {
@@ -69,12 +72,10 @@ StudyForm::StudyForm(QWidget* parent)
     m_seconds->setAccessibleName(tr("Each flight"));
     m_seconds->setMaximumWidth(90);
 
-    auto* plan = new QHBoxLayout;
-    plan->setSpacing(4);
-    plan->addWidget(m_plan, 1);
-    plan->addWidget(m_count);
-    plan->addWidget(m_seedLabel);
-    plan->addWidget(m_seed);
+    m_draw->setSpacing(4);
+    m_draw->addWidget(m_count, 1);
+    m_draw->addWidget(m_seedLabel);
+    m_draw->addWidget(m_seed, 1);
     auto* flight = new QHBoxLayout;
     flight->addWidget(m_seconds);
     flight->addWidget(m_untilTear);
@@ -83,7 +84,8 @@ StudyForm::StudyForm(QWidget* parent)
     form->setContentsMargins(0, 0, 0, 0);
     form->setVerticalSpacing(4);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form->addRow(tr("Points"), plan);
+    form->addRow(tr("Points"), m_plan);
+    form->addRow(QString(), m_draw);
     form->addRow(tr("Each flight"), flight);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 4);

@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QSpinBox;
 class QVBoxLayout;
@@ -49,6 +50,7 @@ private:
     std::vector<VariableRow*> m_rows; // [variables]
     QLabel* m_hint;
     QComboBox* m_plan;
+    QHBoxLayout* m_draw; // of plans that draw
     QSpinBox* m_count;
     QSpinBox* m_seed;
     QLabel* m_seedLabel;

@@ -33,6 +33,7 @@ namespace ripstop {
 namespace {
 
 constexpr double usualSeconds = 10.0;
+constexpr int formWidth = 320; // px
 
 QString studyFilter() { return StudyPanel::tr("Studies (*.ripstop-study.json);;All files (*)"); }
 
@@ -67,6 +68,7 @@ StudyPanel::StudyPanel(Document& document, Recordings& recordings, QWidget* pare
     sides->addWidget(formSide());
     sides->addWidget(m_view);
     sides->setStretchFactor(1, 1);
+    sides->setSizes({formWidth, 2 * formWidth});
     m_pages->addWidget(sides);
 
     connect(m_form, &StudyForm::edited, this, [this] {
@@ -155,7 +157,7 @@ QWidget* StudyPanel::formSide()
     go->addWidget(m_progress, 1);
     m_state->setContentsMargins(8, 0, 8, 4);
     auto* side = new QWidget;
-    side->setMinimumWidth(330);
+    side->setMinimumWidth(formWidth);
     auto* layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -198,15 +200,15 @@ void StudyPanel::study(const Property& property, const std::vector<Id>& ids,
         emit said(translated(variable.message()));
         return;
     }
-    const bool isOfTheDesign =
-        m_pages->currentIndex() == 1
-        && (m_file.isEmpty()
-            || (m_runner.study() && !m_document.file().isEmpty()
-                && QFileInfo(QString::fromStdString(m_runner.study()->sceneFile.string()))
-                       == QFileInfo(m_document.file())));
-    if (!isOfTheDesign)
+    const bool isShown = m_pages->currentIndex() == 1;
+    if (!isShown || !(m_file.isEmpty() || isOfTheDesign()))
         startNew();
     m_form->add(std::move(*variable));
+}
+
+bool StudyPanel::isStudy(const QString& file)
+{
+    return file.endsWith(ending(), Qt::CaseInsensitive);
 }
 
 void StudyPanel::browse()
@@ -238,6 +240,16 @@ void StudyPanel::showOpened()
     if (std::exchange(m_runsOnceOpen, false))
         m_runner.fly(jobs());
     showState();
+    if (m_document.scene().items.empty())
+        emit designWanted(QString::fromStdString(opened.sceneFile.string()));
+}
+
+bool StudyPanel::isOfTheDesign() const
+{
+    const OpenedStudy* study = m_runner.study();
+    return study
+           && QFileInfo(QString::fromStdString(study->sceneFile.string()))
+                  == QFileInfo(m_document.file());
 }
 
 // --- running ------------------------------------------------------------------------------------
@@ -312,11 +324,7 @@ void StudyPanel::run()
         return;
     }
     const bool isOfOpen = m_runner.study() && !m_isEdited;
-    const bool isOfDesign =
-        m_runner.study()
-        && QFileInfo(QString::fromStdString(m_runner.study()->sceneFile.string()))
-               == QFileInfo(m_document.file());
-    if (isOfDesign && !saveDesign())
+    if (isOfTheDesign() && !saveDesign())
         return;
     if (!isOfOpen && !saveStudy())
         return;
@@ -357,6 +365,10 @@ void StudyPanel::showState()
     QString words = tr("Something tore in %1, %2 ended early.").arg(tally.torn).arg(tally.stopped);
     if (const double left = m_runner.secondsLeft(); std::isfinite(left))
         words += ' ' + tr("About %1 left.").arg(timeText(left));
+    if (!isOfTheDesign())
+        words += ' '
+                 + tr("It flies %1, which is not the design that is open.")
+                       .arg(QString::fromStdString(m_runner.study()->study.scene));
     if (m_isEdited)
         words +=
             ' ' + tr("The map is that of the study before you changed it; Run flies the rest.");

@@ -37,7 +37,8 @@ public:
     // Varies this property, in the study that is shown or in a new one of the open design.
     void study(const Property& property, const std::vector<Id>& ids,
                const std::optional<SliderRange>& range);
-    void browse(); // asks for the file of a study
+    static bool isStudy(const QString& file); // by its name
+    void browse();                            // asks for the file of a study
     void open(const QString& file);
     void run(); // saves, and flies what is missing
     void stop();
@@ -49,6 +50,7 @@ public:
     QString state() const;                  // what is said below the form
 
 signals:
+    void designWanted(const QString& file); // of a study, while no design is open
     void said(const QString& words); // for the status bar
 
 protected:
@@ -61,6 +63,7 @@ private:
     bool saveDesign();
     bool saveStudy();
     QString freeName() const;
+    bool isOfTheDesign() const; // the study that is shown
     void showOpened();
     void showState();
     void showFailure(const Message& why);

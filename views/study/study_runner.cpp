@@ -3,8 +3,6 @@
 // joined before another starts, and what it has posted is dropped by its number.
 #include "study/study_runner.h"
 
-#include "recording/recorder.h"
-
 #include <limits>
 #include <utility>
 
@@ -147,16 +145,13 @@ void StudyRunner::watch(std::size_t point)
     const auto study = m_study;
     const std::string known = m_flights[point] ? m_flights[point]->hash : std::string();
     begin(Task::Watching, [this, study, point, known]() -> std::function<void()> {
-        Recorder recorder;
-        const auto flight = flyPoint(
-            *study, point, [this] { return m_stops.load(); }, &recorder);
-        if (!flight)
+        const auto flown = flyRecorded(*study, point, [this] { return m_stops.load(); });
+        if (!flown)
             return [] {};
-        const std::shared_ptr<Recording> recording = recorder.recording();
-        recorder.finish();
-        if (!recording || recording->frameCount() == 0)
-            return [this, why = flight->whyEarly()] { emit failed(Message("%1", why)); };
-        const bool isSame = known.empty() || known == flight->hash;
+        const std::shared_ptr<Recording> recording = flown->recording;
+        if (!recording)
+            return [this, why = flown->flight.whyEarly()] { emit failed(Message("%1", why)); };
+        const bool isSame = known.empty() || known == flown->flight.hash;
         return [this, recording, point, isSame] { emit watched(recording, point, isSame); };
     });
 }

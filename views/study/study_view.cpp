@@ -1,3 +1,5 @@
+// Stages: the lines above and below the chart; the choices that a study has; then refresh(), which
+// draws what is chosen, and describe(), which puts a flight into words.
 #include "study/study_view.h"
 
 #include "document/words.h"
@@ -34,7 +36,7 @@ QString outcomeText(const FlightResult& flight)
 {
     if (flight.endedEarly())
         return StudyView::tr("Ended early at %1 s: %2")
-            .arg(compactNumber(flight.time), translated(flight.whyEarly()));
+            .arg(QLocale().toString(flight.time, 'g', 4), translated(flight.whyEarly()));
     if (flight.torn > 0)
         return StudyView::tr("Tore at %1 s, at a load of %2.")
             .arg(compactNumber(flight.firstTear), QLocale().toString(flight.firstTearLoad, 'g', 4));
@@ -52,8 +54,8 @@ StudyView::StudyView(QWidget* parent)
     , m_slices(new QHBoxLayout)
     , m_chart(new StudyChart)
     , m_told(new QLabel)
-    , m_watch(new QPushButton(tr("&Watch this flight")))
-    , m_apply(new QPushButton(tr("&Apply to the design")))
+    , m_watch(new QPushButton(tr("&Watch")))
+    , m_apply(new QPushButton(tr("&Apply")))
     , m_save(new QToolButton)
 {
     auto* layout = new QVBoxLayout(this);
@@ -157,6 +159,13 @@ void StudyView::fillChoices()
     QStringList variables;
     for (const StudyVariable& variable : m_study->study.variables)
         variables << QString::fromStdString(variable.name);
+    QStringList before;
+    for (int i = 0; i + 1 < m_y->count(); ++i) // all but the last, which is none
+        before << m_y->itemText(i);
+    if (variables != before) {
+        m_x->clear();
+        m_y->clear();
+    }
     fill(*m_x, variables, 0);
     variables << tr("(none)");
     fill(*m_y, variables, variables.size() > 2 ? 1 : int(variables.size()) - 1);

@@ -1,3 +1,5 @@
+// The constructor makes the line of a range or of a list; what is typed is judged as it is typed
+// and becomes values when it is committed.
 #include "study/variable_row.h"
 
 #include "document/words.h"
