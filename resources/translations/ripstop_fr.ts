@@ -1250,6 +1250,11 @@
     </message>
     <message>
         <location filename="dock_table.cpp"/>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
         <source>Table</source>
         <translation>Tableau</translation>
     </message>
@@ -4905,6 +4910,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>le sommet %1 sur %2 demande trois nombres</translation>
     </message>
     <message>
+        <location filename="opened_study.cpp"/>
+        <source>%1 measures the probe %2, and the scene has: %3.</source>
+        <translation>%1 mesure la sonde %2, et la scène a : %3.</translation>
+    </message>
+    <message>
         <location filename="operation.cpp"/>
         <source>All that is selected lies on the plane and is its own mirror image. Choose another plane or a smaller tolerance.</source>
         <translation>Toute la sélection est sur le plan et est sa propre image. Choisir un autre plan ou une tolérance plus petite.</translation>
@@ -6157,6 +6167,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="property_form.cpp"/>
         <source>Slider in the tuning panel</source>
         <translation>Curseur dans le panneau de mise au point</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Study this…</source>
+        <translation>Étudier ceci…</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
@@ -8237,9 +8252,363 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>a été écrit par une autre version de Ripstop ; utiliser celle-ci</translation>
     </message>
     <message>
+        <location filename="study_form.cpp"/>
+        <source>A flight lasts longer than 0 s.</source>
+        <translation>Un vol dure plus de 0 s.</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Another seed draws other points.</source>
+        <translation>Une autre graine tire d’autres points.</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>At random</source>
+        <translation>Au hasard</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Each flight</source>
+        <translation>Chaque vol</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Every combination</source>
+        <translation>Toutes les combinaisons</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Latin hypercube</source>
+        <translation>Hypercube latin</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Number of points</source>
+        <translation>Nombre de points</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>One at a time</source>
+        <translation>Une à la fois</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Right-click the name of a property, in the inspector or beside a slider, and choose Study this.</source>
+        <translation>Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un curseur, puis Étudier ceci.</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Rows of a file</source>
+        <translation>Lignes d’un fichier</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Sobol' sequence</source>
+        <translation>Suite de Sobol</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Study this on another property adds it.</source>
+        <translation>Étudier ceci sur une autre propriété l’ajoute.</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>The time %1.</source>
+        <translation>La durée %1.</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>or until something tears</source>
+        <translation>ou jusqu’à une déchirure</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>with seed</source>
+        <translation>avec la graine</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>%1 of %2 flown</source>
+        <translation>%1 sur %2 volés</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>%1: flown again, and it came to another state than the study has: the study is of another version or machine.</source>
+        <translation>%1 : revolé, et arrivé à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>%1: flown again, the same to the bit. The timeline has it.</source>
+        <translation>%1 : revolé, identique au bit près. La chronologie l’a.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>&amp;Fly</source>
+        <translation>&amp;Voler</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>&amp;New</source>
+        <translation>&amp;Nouvelle</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>&amp;Open a study…</source>
+        <translation>&amp;Ouvrir une étude…</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>A new study of the open design; this one stays in its file.</source>
+        <translation>Une nouvelle étude de la conception ouverte ; celle-ci reste dans son fichier.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>A study flies the design as it is saved. Save the changes to %1 now?</source>
+        <translation>Une étude fait voler la conception telle qu’elle est enregistrée. Enregistrer maintenant les modifications de %1 ?</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>A study flies the design many times with other values and shows what came of it as a map: for which stiffness and which strength does it hold?
+
+Right-click the name of a property, in the inspector or beside a slider, and choose Study this.</source>
+        <translation>Une étude fait voler la conception de nombreuses fois avec d’autres valeurs et montre le résultat sur une carte : pour quelle raideur et quelle résistance tient-elle ?
+
+Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un curseur, puis Étudier ceci.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>About %1 left.</source>
+        <translation>Encore %1 environ.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Cannot open the study</source>
+        <translation>Impossible d’ouvrir l’étude</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Cannot save the design</source>
+        <translation>Impossible d’enregistrer la conception</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Flying it again…</source>
+        <translation>Nouveau vol…</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>It flies %1, which is not the design that is open.</source>
+        <translation>Elle fait voler %1, qui n’est pas la conception ouverte.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>New study</source>
+        <translation>Nouvelle étude</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Nothing varies yet: choose Study this on a property.</source>
+        <translation>Rien ne varie encore : choisir Étudier ceci sur une propriété.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Open a study</source>
+        <translation>Ouvrir une étude</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Open the file of another study.</source>
+        <translation>Ouvrir le fichier d’une autre étude.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Opening…</source>
+        <translation>Ouverture…</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Save the design</source>
+        <translation>Enregistrer la conception</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Save the design?</source>
+        <translation>Enregistrer la conception ?</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Scenes (*.ripstop.json)</source>
+        <translation>Scènes (*.ripstop.json)</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Something tore in %1, %2 ended early.</source>
+        <translation>Déchirure dans %1, %2 arrêtés tôt.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Studies (*.ripstop-study.json);;All files (*)</source>
+        <translation>Études (*.ripstop-study.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>The design has the values of the study now: %1</source>
+        <translation>La conception a maintenant les valeurs de l’étude : %1</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>The map is that of the study before you changed it; Fly adds the rest.</source>
+        <translation>La carte est celle de l’étude avant sa modification ; Voler ajoute le reste.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>The open design cannot take it. %1: %2</source>
+        <translation>La conception ouverte ne peut pas les prendre. %1 : %2</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>The study %1.</source>
+        <translation>L’étude %1.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Values of a study</source>
+        <translation>Valeurs d’une étude</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>%1 is %2. </source>
+        <translation>%1 vaut %2. </translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>&amp;Apply</source>
+        <translation>&amp;Appliquer</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>&amp;Picture (SVG, PDF, PNG)…</source>
+        <translation>&amp;Image (SVG, PDF, PNG)…</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>&amp;Table (CSV)…</source>
+        <translation>&amp;Tableau (CSV)…</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>&amp;Watch</source>
+        <translation>&amp;Regarder</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>(none)</source>
+        <translation>(aucune)</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Click a flight to watch it or to take its values.</source>
+        <translation>Cliquer sur un vol pour le regarder ou prendre ses valeurs.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Ended early at %1 s: %2</source>
+        <translation>Arrêté tôt, à %1 s : %2</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Fly it again with all of its frames, to the moment when it tears or to its end, and compare its hash with that of the study.</source>
+        <translation>Le refaire voler avec toutes ses images, jusqu’au moment où il se déchire ou jusqu’à sa fin, et comparer son empreinte à celle de l’étude.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Give the open design the values of this flight, as one step.</source>
+        <translation>Donner à la conception ouverte les valeurs de ce vol, en une seule étape.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Held.</source>
+        <translation>A tenu.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Pictures (*.svg *.pdf *.png)</source>
+        <translation>Images (*.svg *.pdf *.png)</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>The value at which the map is cut</source>
+        <translation>La valeur où la carte est coupée</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Tore at %1 s, at a load of %2.</source>
+        <translation>Déchiré à %1 s, sous une charge de %2.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Variable to the right</source>
+        <translation>Variable vers la droite</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Variable upwards</source>
+        <translation>Variable vers le haut</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>What is shown</source>
+        <translation>Ce qui est montré</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>at %1</source>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>not flown yet.</source>
+        <translation>pas encore volé.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>over</source>
+        <translation>selon</translation>
+    </message>
+    <message>
         <location filename="subject.cpp"/>
         <source>Set %1 of %2</source>
         <translation>Régler %1 de %2</translation>
+    </message>
+    <message>
+        <location filename="suggested_variable.cpp"/>
+        <source>%1 cannot be varied: it is no number, vector, switch or choice that is there.</source>
+        <translation>%1 ne peut pas varier : ce n’est ni un nombre, ni un vecteur, ni un interrupteur, ni un choix qui soit là.</translation>
+    </message>
+    <message>
+        <location filename="suggested_variable.cpp"/>
+        <source>There is nothing of which %1 could be varied.</source>
+        <translation>Il n’y a rien dont %1 pourrait varier.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12173,11 +12542,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Seed</source>
-        <translation>Graine</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Segments</source>
         <translation>Segments</translation>
     </message>
@@ -14867,6 +15231,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tuning_rows.cpp"/>
+        <source>Fly the design many times with other values, and see for which of them it holds.</source>
+        <translation>Faire voler la conception de nombreuses fois avec d’autres valeurs, et voir pour lesquelles elle tient.</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
         <source>Go to the other set of slider values, to compare the two.</source>
         <translation>Passer à l’autre jeu de valeurs des curseurs, pour comparer les deux.</translation>
     </message>
@@ -14877,8 +15246,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tuning_rows.cpp"/>
+        <source>Open a study…</source>
+        <translation>Ouvrir une étude…</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
         <source>Re&amp;set sliders</source>
         <translation>Ramener les cur&amp;seurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>See the map of a study that was saved, or fly what is missing of it.</source>
+        <translation>Voir la carte d’une étude enregistrée, ou faire voler ce qui y manque.</translation>
     </message>
     <message>
         <location filename="tuning_rows.cpp"/>
@@ -14889,6 +15268,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tuning_rows.cpp"/>
         <source>Sl&amp;iders</source>
         <translation>C&amp;urseurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Stu&amp;dy</source>
+        <translation>É&amp;tude</translation>
     </message>
     <message>
         <location filename="tuning_rows.cpp"/>
@@ -15054,6 +15438,74 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="value_bar.cpp"/>
         <source>%1 m of at most %2 m either way; told to go to %3 m</source>
         <translation>%1 m sur %2 m au plus de part et d’autre ; consigne %3 m</translation>
+    </message>
+    <message numerus="yes">
+        <location filename="variable_row.cpp"/>
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 et %n autre</numerusform>
+            <numerusform>%1 et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>At least one value is needed.</source>
+        <translation>Il faut au moins une valeur.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>Drawn from the distribution in the file.</source>
+        <translation>Tirée de la distribution du fichier.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>Even factors from value to value instead of even differences.</source>
+        <translation>Des facteurs égaux d’une valeur à l’autre au lieu de différences égales.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>Even factors have to begin above 0.</source>
+        <translation>Des facteurs égaux doivent commencer au-dessus de 0.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>How many values, both ends included.</source>
+        <translation>Combien de valeurs, les deux bouts compris.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>Sets %1</source>
+        <translation>Règle %1</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>The number %1.</source>
+        <translation>Le nombre %1.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>The second number has to be larger than the first.</source>
+        <translation>Le second nombre doit être plus grand que le premier.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>Values, with a semicolon between two.</source>
+        <translation>Des valeurs, séparées par un point-virgule.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>Vary it no more.</source>
+        <translation>Ne plus la faire varier.</translation>
+    </message>
+    <message>
+        <location filename="variable_row.cpp"/>
+        <source>to</source>
+        <translation>à</translation>
     </message>
     <message>
         <location filename="verification_dialog.cpp"/>

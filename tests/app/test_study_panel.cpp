@@ -106,7 +106,7 @@ private slots:
         shop.shelf().study(shop.property(Kind::Particle, "mass"), {weight});
         shop.shelf().study(shop.property(Kind::Settings, "gravity"), {settingsId});
         shop.setSeconds(0.1);
-        QTest::mouseClick(&shop.button("Run"), Qt::LeftButton);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 25, patience);
         QVERIFY(QFile::exists(shop.folder.filePath("a.ripstop-study.json")));
         QVERIFY(QFile::exists(shop.folder.filePath("a.ripstop-runs/shard-1-of-1.jsonl")));
@@ -140,14 +140,14 @@ private slots:
         StudyShop shop("delta_kite");
         shop.shelf().study(shop.property(Kind::Settings, "airDensity"), {settingsId});
         shop.setSeconds(5.0);
-        QTest::mouseClick(&shop.button("Run"), Qt::LeftButton);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(shop.panel.runner().task() == StudyRunner::Task::Flying, patience);
         QTest::mouseClick(&shop.button("Stop"), Qt::LeftButton);
         QVERIFY(shop.isDone());
         const std::size_t flown = shop.panel.runner().tally().flown;
         QVERIFY(flown < 5);
         shop.setSeconds(5.0); // the study as it is
-        QTest::mouseClick(&shop.button("Run"), Qt::LeftButton);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 5, patience);
         // the rows of what had been flown are still there, and none was flown twice
         QFile ledger(shop.folder.filePath("a.ripstop-runs/shard-1-of-1.jsonl"));

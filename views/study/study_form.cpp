@@ -34,7 +34,7 @@ QString judgeSeconds(const QString& typed)
 {
     const Typed read = typedValue(typed.toStdString(), "s");
     if (!read.number)
-        return StudyForm::tr("A time %1").arg(translated(read.complaint));
+        return StudyForm::tr("The time %1.").arg(translated(read.complaint));
     return read.number->number > 0.0 ? QString() : StudyForm::tr("A flight lasts longer than 0 s.");
 }
 

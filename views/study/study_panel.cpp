@@ -1,6 +1,6 @@
 // The form edits a study that is not yet written; saveStudy() writes it, the runner opens what was
 // written, and showOpened() shows that: so the map is always that of a file, to which its flights
-// belong. m_runsOnceOpen remembers that somebody has pressed Run meanwhile.
+// belong. m_fliesOnceOpen remembers that somebody has pressed Fly meanwhile.
 #include "study/study_panel.h"
 
 #include "document/document.h"
@@ -223,7 +223,7 @@ void StudyPanel::browse()
 
 void StudyPanel::open(const QString& file)
 {
-    m_runsOnceOpen = false;
+    m_fliesOnceOpen = false;
     m_runner.open(pathOf(file));
     showState();
 }
@@ -237,7 +237,7 @@ void StudyPanel::showOpened()
                      [this](const StudyVariable& variable) { return unitOf(variable); });
     m_view->setStudy(&opened, &m_runner.flights());
     m_pages->setCurrentIndex(1);
-    if (std::exchange(m_runsOnceOpen, false))
+    if (std::exchange(m_fliesOnceOpen, false))
         m_runner.fly(jobs());
     showState();
     if (m_document.scene().items.empty())
@@ -329,14 +329,14 @@ void StudyPanel::run()
     if (!isOfOpen && !saveStudy())
         return;
     // opened again in any case: the design may have been saved since
-    m_runsOnceOpen = true;
+    m_fliesOnceOpen = true;
     m_runner.open(pathOf(m_file));
     showState();
 }
 
 void StudyPanel::stop()
 {
-    m_runsOnceOpen = false;
+    m_fliesOnceOpen = false;
     m_runner.stop();
 }
 
@@ -347,7 +347,7 @@ void StudyPanel::showState()
     m_title->setText(m_file.isEmpty() ? tr("New study")
                                       : QFileInfo(m_file).fileName().remove(ending()));
     m_title->setToolTip(QDir::toNativeSeparators(m_file));
-    m_run->setText(task == Task::None ? tr("&Run") : tr("&Stop"));
+    m_run->setText(task == Task::None ? tr("&Fly") : tr("&Stop"));
     m_form->setEnabled(task != Task::Flying);
     const bool isKnown = m_runner.study() != nullptr;
     const StudyTally tally = m_runner.tally();
@@ -370,14 +370,13 @@ void StudyPanel::showState()
                  + tr("It flies %1, which is not the design that is open.")
                        .arg(QString::fromStdString(m_runner.study()->study.scene));
     if (m_isEdited)
-        words +=
-            ' ' + tr("The map is that of the study before you changed it; Run flies the rest.");
+        words += ' ' + tr("The map is that of the study before you changed it; Fly adds the rest.");
     m_state->setText(words);
 }
 
 void StudyPanel::showFailure(const Message& why)
 {
-    m_runsOnceOpen = false;
+    m_fliesOnceOpen = false;
     showState();
     if (m_pages->currentIndex() == 1)
         m_state->setText(translated(why));

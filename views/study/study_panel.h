@@ -2,7 +2,7 @@
 // it.
 //
 // "Study this" on a property makes a study of the open design, or adds a variable to the one that
-// is shown. Run writes the file of the study, beside the design, and flies what is missing on all
+// is shown. Fly writes the file of the study, beside the design, and flies what is missing on all
 // cores but one; it can be stopped at any moment and goes on where it was. A flight of the map can
 // be watched, which computes it again with all of its frames and compares the hash, and its values
 // can be given to the design. The form (study_form.h) edits, the view (study_view.h) shows, and the
@@ -83,7 +83,7 @@ private:
     QLabel* m_state;
     QString m_file;
     bool m_isEdited = false; // since it was written
-    bool m_runsOnceOpen = false;
+    bool m_fliesOnceOpen = false;
     StudyRunner m_runner; // last: it ends before what hears of it
 };
 

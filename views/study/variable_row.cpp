@@ -21,7 +21,8 @@ constexpr int mostSteps = 1000;
 QString judgeNumber(const QString& typed, const QString& unit)
 {
     const Typed read = typedValue(typed.toStdString(), unit.toStdString());
-    return read.number ? QString() : VariableRow::tr("A number %1").arg(translated(read.complaint));
+    return read.number ? QString()
+                       : VariableRow::tr("The number %1.").arg(translated(read.complaint));
 }
 
 double numberOf(const QString& typed, const QString& unit)
