@@ -170,7 +170,11 @@ void MainWindow::connectParts()
     m_status->hear(*m_arrivals);
     m_status->follow(*m_recordings);
     m_status->follow(*m_viewport);
-    connect(&m_docks->panel<StudyPanel>(), &StudyPanel::designWanted, m_files, &Files::open);
+    connect(&m_docks->panel<StudyPanel>(), &StudyPanel::designWanted, this,
+            [this](const QString& file) {
+                m_files->open(file);
+                m_docks->show("study"); // which others have come before
+            });
     connect(&m_docks->panel<LoadPanel>(), &LoadPanel::chosen, m_viewport,
             [this](quint32 element) { m_viewport->centre({Id{element}}); });
     connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);

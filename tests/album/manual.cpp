@@ -1,4 +1,4 @@
-// Stages: Desk is a window of a fixed size with steps of a mouse; each of the three functions
+// Stages: Desk is a window of a fixed size with steps of a mouse; each of the functions
 // brings one into the state that a picture of the manual shows (links being drawn, a mode that
 // swings, a kite that is pulled) and grabs it. takeManualPictures() saves them under the names
 // that the manual uses.
@@ -7,8 +7,12 @@
 #include "album/picture.h"
 #include "app/window_shop.h"
 #include "builders/builder.h"
+#include "study/study_panel.h"
+#include "study/study_view.h"
 
 #include <QDir>
+#include <QDockWidget>
+#include <QTemporaryDir>
 #include <QtTest>
 
 namespace ripstop {
@@ -94,6 +98,29 @@ QImage byHand()
     return picture;
 }
 
+// The shipped study of a line in gusts, flown, with a flight that is chosen.
+QImage studyMap()
+{
+    const QTemporaryDir folder;
+    const QString study = folder.filePath("line_in_gusts.ripstop-study.json");
+    for (const QString name : {"kite_in_gusts.ripstop.json", "line_in_gusts.ripstop-study.json"})
+        QFile::copy(QStringLiteral(SCENES_DIR "/") + name, folder.filePath(name));
+    Desk desk{Scene{}};
+    desk.window.openStudy(study);
+    auto& panel = desk.window.docks().panel<StudyPanel>();
+    const auto rests = [&] { return panel.runner().task() == StudyRunner::Task::None; };
+    (void)QTest::qWaitFor([&] { return rests() && panel.runner().study(); }, 20000);
+    panel.run();
+    (void)QTest::qWaitFor(
+        [&] { return rests() && panel.runner().tally().flown == panel.runner().flights().size(); },
+        300'000);
+    auto* dock = desk.window.findChild<QDockWidget*>("study");
+    desk.window.resizeDocks({dock}, {420}, Qt::Vertical);
+    panel.view().choose(17);
+    desk.settle();
+    return pictureOf(desk.window);
+}
+
 } // namespace
 
 void takeManualPictures(const QString& folder)
@@ -102,6 +129,7 @@ void takeManualPictures(const QString& folder)
     drawing().save(target.filePath("drawing.png"));
     rigidity().save(target.filePath("rigidity.png"));
     byHand().save(target.filePath("by-hand.png"));
+    studyMap().save(target.filePath("study-map.png"));
 }
 
 } // namespace ripstop

@@ -39,7 +39,8 @@ QString outcomeText(const FlightResult& flight)
             .arg(QLocale().toString(flight.time, 'g', 4), translated(flight.whyEarly()));
     if (flight.torn > 0)
         return StudyView::tr("Tore at %1 s, at a load of %2.")
-            .arg(compactNumber(flight.firstTear), QLocale().toString(flight.firstTearLoad, 'g', 4));
+            .arg(QLocale().toString(flight.firstTear, 'g', 4),
+                 QLocale().toString(flight.firstTearLoad, 'g', 4));
     return StudyView::tr("Held.");
 }
 
