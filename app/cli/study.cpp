@@ -43,26 +43,27 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
     const auto opened = openStudy(file);
     if (!opened)
         return fail(BadInput, opened.message());
-    const auto known = readLedgers(ledgerFolder(file));
-    if (!known)
-        return fail(BadInput, known.message());
-    const std::vector<std::size_t> points = missingPoints(*opened, known->rows, shard);
-    if (points.empty()) {
-        std::cerr << "All points are flown already.\n";
-        return Done;
-    }
     ProgressLine progress("study");
-    const auto tally = flyPoints(*opened, points, shard, jobs, interrupted,
-                                 [&](std::size_t, const FlightResult&, const StudyTally& now) {
-                                     progress.show(double(now.flown) / double(points.size()));
-                                 });
-    if (!tally)
-        return fail(BadInput, tally.message());
-    if (tally->flown < points.size())
-        return fail(Interrupted, "Interrupted; " + pointsText(tally->flown, points.size())
+    const auto flown = flyMissing(*opened, shard, jobs, interrupted,
+                                  [&](std::size_t, const FlightResult&, const StudyFlown& now) {
+                                      progress.show(double(now.tally.flown) / double(now.planned));
+                                  });
+    if (!flown)
+        return fail(BadInput, flown.message());
+    const StudyTally& tally = flown->tally;
+    if (tally.flown < flown->planned)
+        return fail(Interrupted, "Interrupted; " + pointsText(tally.flown, flown->planned)
                                      + " of this run are flown and kept. Run it again to go on.");
-    std::cerr << "Flown: " << tally->flown << "; something tore in " << tally->torn << ", "
-              << tally->stopped << " ended early.\n";
+    const bool isWaiting =
+        flown->ofOthers > 0 && opened->study.plan.kind == StudyPlan::Kind::Frontier;
+    if (isWaiting)
+        std::cerr << "The frontier needs " << flown->ofOthers
+                  << " points of other shards next. Run this one again when they are flown.\n";
+    if (tally.flown == 0 && !isWaiting)
+        std::cerr << "All points are flown already.\n";
+    else
+        std::cerr << "Flown: " << tally.flown << "; something tore in " << tally.torn << ", "
+                  << tally.stopped << " ended early.\n";
     return Done;
 }
 
@@ -78,10 +79,12 @@ int status(const std::string& file, bool json)
         return fail(BadInput, known.message());
     const auto [flown, torn, stopped] = tallyOf(*opened, known->rows);
     const std::size_t all = opened->points.count();
+    const std::size_t missing = missingPoints(*opened, known->rows).size();
+    const bool isSearch = opened->study.plan.kind == StudyPlan::Kind::Frontier;
     if (json) {
         print({{"points", all},
                {"flown", flown},
-               {"missing", all - flown},
+               {"missing", missing},
                {"torn", torn},
                {"stopped", stopped},
                {"tornLines", known->torn},
@@ -89,8 +92,11 @@ int status(const std::string& file, bool json)
         return Done;
     }
     std::cout << "points                  " << all << "\nflown                   " << flown
-              << "\nmissing                 " << all - flown << "\nsomething tore in       " << torn
-              << "\nended early             " << stopped << '\n';
+              << "\nmissing                 " << missing
+              << (isSearch && missing > 0 ? " next, along the frontier" : "")
+              << (isSearch && missing == 0 ? ": the frontier is found" : "")
+              << "\nsomething tore in       " << torn << "\nended early             " << stopped
+              << '\n';
     if (known->torn > 0)
         std::cout << "lines left out          " << known->torn << ", which a killed run tore\n";
     if (known->differing > 0)
@@ -159,9 +165,7 @@ int newStudy(const NewOptions& options)
     study.folder = folder;
     const auto kind = std::ranges::find(choiceNames<StudyPlan::Kind>, options.plan);
     study.plan.kind = StudyPlan::Kind(kind - choiceNames<StudyPlan::Kind>.begin());
-    const bool isOfValues =
-        study.plan.kind == StudyPlan::Kind::Grid || study.plan.kind == StudyPlan::Kind::OneAtATime;
-    if (!isOfValues) {
+    if (!study.plan.goesThroughValues()) {
         study.plan.count = options.count;
         study.plan.seed = options.seed;
     }

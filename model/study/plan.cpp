@@ -107,14 +107,12 @@ double countOf(const Study& study)
 {
     double count = 1.0;
     for (const StudyVariable& variable : study.variables) {
-        if (study.plan.kind == PlanKind::Grid)
+        if (study.plan.isGrid())
             count *= double(variable.values.size());
         else if (study.plan.kind == PlanKind::OneAtATime)
             count += double(variable.values.size()) - 1.0;
     }
-    const bool isOfValues =
-        study.plan.kind == PlanKind::Grid || study.plan.kind == PlanKind::OneAtATime;
-    return isOfValues ? count : double(study.plan.count);
+    return study.plan.goesThroughValues() ? count : double(study.plan.count);
 }
 
 } // namespace
@@ -176,7 +174,7 @@ std::vector<std::string> StudyPoints::values(std::size_t point) const
         return m_rows[point];
     const std::vector<StudyVariable>& variables = m_study.variables;
     std::vector<std::string> all(variables.size());
-    if (m_study.plan.kind == PlanKind::Grid) { // the last variable changes fastest
+    if (m_study.plan.isGrid()) { // the last variable changes fastest
         for (std::size_t v = variables.size(); v-- > 0;) {
             const std::vector<std::string>& values = variables[v].values;
             all[v] = values[point % values.size()];

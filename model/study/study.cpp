@@ -269,15 +269,13 @@ Measure readMeasure(const Json& json, const std::string& place, std::optional<Fa
 // A grid needs values, and what draws needs something to draw from.
 void checkVariables(const Study& study, std::optional<Failure>& failure)
 {
-    const bool isOfValues =
-        study.plan.kind == StudyPlan::Kind::Grid || study.plan.kind == StudyPlan::Kind::OneAtATime;
     std::set<std::string> names;
     for (const StudyVariable& variable : study.variables) {
         if (failure)
             return;
         if (!names.insert(variable.name).second)
             failure = Failure("has two variables that are called %1", variable.name);
-        else if (isOfValues && variable.values.empty())
+        else if (study.plan.goesThroughValues() && variable.values.empty())
             failure = Failure("has a plan that goes through values, and the variable %1 has none; "
                               "give it \"values\", or \"from\", \"to\" and \"count\"",
                               variable.name);

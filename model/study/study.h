@@ -43,17 +43,21 @@ struct StudyPlan
         LatinHypercube, // `count` points, each variable spread evenly (McKay and others 1979)
         Sobol,          // the first `count` points of Sobol' (1967), shifted by the seed
         MonteCarlo,     // `count` points at random
-        Points          // the rows of a file of somebody else's
+        Points,         // the rows of a file of somebody else's
+        Frontier        // those of a grid that tell where outcomes change (frontier_search.h)
     };
     Kind kind = Kind::Grid;
     std::int64_t count = 0;
     std::uint64_t seed = 1;
     std::string file; // CSV with a column for each variable, beside the study
+
+    bool isGrid() const { return kind == Kind::Grid || kind == Kind::Frontier; }
+    bool goesThroughValues() const { return isGrid() || kind == Kind::OneAtATime; }
 };
 
 template <>
 inline constexpr std::array choiceNames<StudyPlan::Kind>{
-    "grid", "one_at_a_time", "latin_hypercube", "sobol", "monte_carlo", "points"};
+    "grid", "one_at_a_time", "latin_hypercube", "sobol", "monte_carlo", "points", "frontier"};
 
 struct Study
 {

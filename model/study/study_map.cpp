@@ -135,7 +135,7 @@ StudyMap mapOf(const OpenedStudy& opened, const StudyFlights& flights, const Map
 {
     const Study& study = opened.study;
     StudyMap map;
-    map.isGrid = study.plan.kind == StudyPlan::Kind::Grid;
+    map.isGrid = study.plan.isGrid();
     map.x = axisOf(opened, choice.x, map.isGrid);
     if (choice.y)
         map.y = axisOf(opened, *choice.y, map.isGrid);

@@ -1,9 +1,11 @@
-// flyPoints() takes the next point in each of its threads, and adds a row under a lock as soon as one
-// is over.
+// flyMissing() goes round after round: it reads what is known, and each of its threads takes the
+// next point and adds a row under a lock as soon as a flight is over.
 #include "study/study_run.h"
 
 #include "recording/recorder.h"
+#include "study/frontier_search.h"
 #include "study/many.h"
+#include "study/study_map.h"
 
 #include <cmath>
 #include <mutex>
@@ -34,12 +36,19 @@ std::string Shard::name() const
     return "shard-" + std::to_string(place + 1) + "-of-" + std::to_string(count);
 }
 
-std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRows& rows,
-                                       const Shard& shard)
+std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRows& rows)
 {
+    if (opened.study.plan.kind == StudyPlan::Kind::Frontier) {
+        const StudyFlights flights = flightsOf(opened, rows);
+        return frontierPoints(opened.study, [&](std::size_t point) -> std::optional<bool> {
+            if (!flights[point])
+                return std::nullopt;
+            return outcomeOf(flights[point]) == FlightOutcome::Held;
+        });
+    }
     std::vector<std::size_t> points;
     std::set<std::string> keys;
-    for (std::size_t i = shard.place; i < opened.points.count(); i += shard.count) {
+    for (std::size_t i = 0; i < opened.points.count(); ++i) {
         std::string key = opened.key(i);
         if (!rows.contains(key) && keys.insert(std::move(key)).second)
             points.push_back(i);
@@ -72,33 +81,50 @@ void StudyTally::add(const FlightResult& flight)
     stopped += flight.endedEarly();
 }
 
-Result<StudyTally> flyPoints(
-    const OpenedStudy& opened, const std::vector<std::size_t>& points, const Shard& shard, int jobs,
+Result<StudyFlown> flyMissing(
+    const OpenedStudy& opened, const Shard& shard, int jobs,
     const std::function<bool()>& isInterrupted,
-    const std::function<void(std::size_t point, const FlightResult&, const StudyTally&)>& told)
+    const std::function<void(std::size_t point, const FlightResult&, const StudyFlown&)>& told)
 {
-    auto ledger = Ledger::open(ledgerFolder(opened.file), shard.name(), opened.headings);
-    if (!ledger)
-        return ledger.failure();
-    std::optional<Failure> failure;
-    std::mutex mutex;
-    StudyTally tally;
-    forEachOfMany(points.size(), jobs, [&](std::size_t i) {
-        const auto flight = flyPoint(opened, points[i], isInterrupted);
-        const std::string key = opened.key(points[i]);
-        const std::lock_guard lock(mutex);
-        if (!flight || failure)
-            return false;
-        failure = ledger->add(key, *flight);
+    StudyFlown flown;
+    std::optional<Ledger> ledger; // opened once there is something to write
+    for (;;) {
+        const auto known = readLedgers(ledgerFolder(opened.file));
+        if (!known)
+            return known.failure();
+        std::vector<std::size_t> points = missingPoints(opened, known->rows);
+        const std::size_t all = points.size();
+        std::erase_if(points, [&](std::size_t i) { return i % shard.count != shard.place; });
+        flown.planned = flown.tally.flown + points.size();
+        flown.ofOthers = all - points.size();
+        if (points.empty())
+            return flown;
+        if (!ledger) {
+            auto one = Ledger::open(ledgerFolder(opened.file), shard.name(), opened.headings);
+            if (!one)
+                return one.failure();
+            ledger.emplace(std::move(*one));
+        }
+        std::optional<Failure> failure;
+        std::mutex mutex;
+        forEachOfMany(points.size(), jobs, [&](std::size_t i) {
+            const auto flight = flyPoint(opened, points[i], isInterrupted);
+            const std::string key = opened.key(points[i]);
+            const std::lock_guard lock(mutex);
+            if (!flight || failure)
+                return false;
+            failure = ledger->add(key, *flight);
+            if (failure)
+                return false;
+            flown.tally.add(*flight);
+            told(points[i], *flight, flown);
+            return true;
+        });
         if (failure)
-            return false;
-        tally.add(*flight);
-        told(points[i], *flight, tally);
-        return true;
-    });
-    if (failure)
-        return *failure;
-    return tally;
+            return *failure;
+        if (flown.tally.flown < flown.planned)
+            return flown;
+    }
 }
 
 } // namespace ripstop

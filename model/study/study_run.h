@@ -26,9 +26,9 @@ struct Shard // the points i with i % count == place
     std::string name() const; // of its file, without the ending
 };
 
-// The points of the shard that have no row; of points that are alike the first.
-std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRows& rows,
-                                       const Shard& shard = {});
+// The points that have to be flown next: those without a row, or of a plan along the frontier those
+// of them that are needed as far as can be told now. Of points that are alike the first.
+std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRows& rows);
 
 // Nothing when it was interrupted.
 std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point,
@@ -52,12 +52,21 @@ struct StudyTally
     void add(const FlightResult& flight);
 };
 
+// What has become of flying a study.
+struct StudyFlown
+{
+    StudyTally tally;         // of what this call flew
+    std::size_t planned = 0;  // of its shard, as far as it is known; more than were flown when it
+                              // was interrupted
+    std::size_t ofOthers = 0; // points that other shards have to fly before it can go on
+};
+
+// Flies what is missing of the shard, round after round where a plan finds out what it needs.
 // `told` hears of each flight once it is in the ledger, from the thread that flew it, one at a
-// time. Fewer are flown than there are points when it was interrupted. Fails when the ledger cannot
-// be written.
-Result<StudyTally> flyPoints(
-    const OpenedStudy& opened, const std::vector<std::size_t>& points, const Shard& shard, int jobs,
+// time. Fails when a ledger cannot be read or written.
+Result<StudyFlown> flyMissing(
+    const OpenedStudy& opened, const Shard& shard, int jobs,
     const std::function<bool()>& isInterrupted,
-    const std::function<void(std::size_t point, const FlightResult&, const StudyTally&)>& told);
+    const std::function<void(std::size_t point, const FlightResult&, const StudyFlown&)>& told);
 
 } // namespace ripstop

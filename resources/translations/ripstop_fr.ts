@@ -8258,6 +8258,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_form.cpp"/>
+        <source>Along the tear line</source>
+        <translation>Le long de la ligne de déchirure</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
         <source>Another seed draws other points.</source>
         <translation>Une autre graine tire d’autres points.</translation>
     </message>
@@ -8335,6 +8340,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_form.cpp"/>
         <source>with seed</source>
         <translation>avec la graine</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>%1 flown along the tear line</source>
+        <translation>%1 volés le long de la ligne</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>

@@ -1,8 +1,8 @@
 // Studies: the points that a plan makes, what is measured, what a ledger keeps, and the map of a
 // tether whose border is known.
+#include "model/tether.h"
 #include "registered_test.h"
 #include "scene/path.h"
-#include "scene/scene.h"
 #include "study/distribution.h"
 #include "study/flight.h"
 #include "study/ledger.h"
@@ -38,39 +38,6 @@ Study studyWith(StudyPlan plan, std::vector<StudyVariable> variables)
 }
 
 double numberOf(const std::string& text) { return std::stod(text); }
-
-// A weight of 1 kg that falls half a metre before its tether is tight.
-Scene tether()
-{
-    Scene scene;
-    const auto id = [&] { return takeId(scene); };
-    Material cord;
-    cord.name = "cord";
-    cord.compliance = 1e-3;
-    cord.dampingTime = 0.0;
-    cord.tearRule = TearRule::Force;
-    cord.tearLimit = 100.0;
-    const Id cordId = id();
-    scene.items.push_back(Entry{cordId, cord});
-    Part part;
-    part.name = "tether";
-    part.particles.resize(2);
-    part.particles[0].id = id();
-    part.particles[0].pinned = true;
-    part.particles[1].id = id();
-    part.particles[1].position = {0.0, -1.0, 0.0};
-    part.particles[1].mass = 1.0;
-    Link link;
-    link.id = id();
-    link.from = part.particles[0].id;
-    link.to = part.particles[1].id;
-    link.material = cordId;
-    link.resists = Resists::Tension;
-    link.restLength = 1.5;
-    part.links.push_back(link);
-    scene.items.push_back(Entry{id(), part});
-    return scene;
-}
 
 std::filesystem::path pathIn(const QTemporaryDir& folder, const char* name)
 {

@@ -56,6 +56,7 @@ StudyForm::StudyForm(QWidget* parent)
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_variables->setSpacing(0);
     m_plan->addItem(tr("Every combination"), int(PlanKind::Grid));
+    m_plan->addItem(tr("Along the tear line"), int(PlanKind::Frontier));
     m_plan->addItem(tr("One at a time"), int(PlanKind::OneAtATime));
     m_plan->addItem(tr("Sobol' sequence"), int(PlanKind::Sobol));
     m_plan->addItem(tr("Latin hypercube"), int(PlanKind::LatinHypercube));

@@ -351,11 +351,14 @@ void StudyPanel::showState()
     m_form->setEnabled(task != Task::Flying);
     const bool isKnown = m_runner.study() != nullptr;
     const StudyTally tally = m_runner.tally();
-    const auto all = int(m_runner.flights().size());
+    // a search along the tear line does not fly all, and how many is known when it is over
+    const bool isSearch = isKnown && m_runner.study()->study.plan.kind == StudyPlan::Kind::Frontier;
+    const auto all = int(isSearch ? tally.flown : m_runner.flights().size());
     m_progress->setVisible(isKnown || task != Task::None);
     m_progress->setMaximum(task == Task::Opening || task == Task::Watching ? 0 : std::max(1, all));
     m_progress->setValue(int(tally.flown));
-    m_progress->setFormat(tr("%1 of %2 flown").arg(tally.flown).arg(all));
+    m_progress->setFormat(isSearch ? tr("%1 flown along the tear line").arg(tally.flown)
+                                   : tr("%1 of %2 flown").arg(tally.flown).arg(all));
     if (task == Task::Opening)
         return m_state->setText(tr("Opening…"));
     if (task == Task::Watching)

@@ -51,7 +51,7 @@ public:
 
 signals:
     void designWanted(const QString& file); // of a study, while no design is open
-    void said(const QString& words); // for the status bar
+    void said(const QString& words);        // for the status bar
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -99,23 +99,23 @@ void StudyRunner::fly(int jobs)
     if (!m_study)
         return;
     const auto study = m_study;
-    const auto points =
-        std::make_shared<const std::vector<std::size_t>>(missingPoints(*study, m_rows));
-    begin(Task::Flying, [this, study, points, jobs]() -> std::function<void()> {
+    begin(Task::Flying, [this, study, jobs]() -> std::function<void()> {
         const auto isStopped = [this] { return m_stops.load(); };
-        const auto tell = [this](std::size_t point, const FlightResult& flight, const StudyTally&) {
+        const auto tell = [this](std::size_t point, const FlightResult& flight,
+                                 const StudyFlown& so) {
             const std::lock_guard lock(m_mutex);
             m_news.push_back({point, flight});
+            m_newPlan = so.planned;
         };
-        const auto tally = flyPoints(*study, *points, {}, jobs, isStopped, tell);
-        if (!tally)
-            return [this, why = tally.message()] { emit failed(why); };
+        const auto flown = flyMissing(*study, {}, jobs, isStopped, tell);
+        if (!flown)
+            return [this, why = flown.message()] { emit failed(why); };
         return [this, study] {
             m_flights = flightsOf(*study, m_rows); // points that are alike were flown once
             emit grew();
         };
     });
-    m_missing = points->size();
+    m_planned = 0;
     m_done = 0;
     m_clock.start();
     m_tick.start();
@@ -127,6 +127,7 @@ void StudyRunner::collect()
     {
         const std::lock_guard lock(m_mutex);
         news.swap(m_news);
+        m_planned = m_newPlan;
     }
     if (news.empty())
         return;
@@ -170,7 +171,7 @@ double StudyRunner::secondsLeft() const
     if (m_task != Task::Flying || m_done == 0)
         return std::numeric_limits<double>::quiet_NaN();
     const double each = 1e-3 * double(m_clock.elapsed()) / double(m_done);
-    return each * double(m_missing - std::min(m_done, m_missing));
+    return each * double(m_planned - std::min(m_done, m_planned));
 }
 
 } // namespace ripstop

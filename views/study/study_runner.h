@@ -69,13 +69,14 @@ private:
     StudyFlights m_flights;
     Task m_task = Task::None;
     int m_number = 0;          // of what was begun last
-    std::size_t m_missing = 0; // when the flying began
-    std::size_t m_done = 0;    // since then
-    QElapsedTimer m_clock;     // since then
+    std::size_t m_planned = 0; // since the flying began, as far as it is known
+    std::size_t m_done = 0;    // of those
+    QElapsedTimer m_clock;     // since it began
     QTimer m_tick;             // while flying
     std::atomic<bool> m_stops = false;
     std::mutex m_mutex;
     std::vector<Flown> m_news; // of the threads that fly
+    std::size_t m_newPlan = 0; // and how many they are to fly
     std::jthread m_thread;     // last: it ends before what it uses
 };
 

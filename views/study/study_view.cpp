@@ -182,7 +182,7 @@ void StudyView::fillSlices()
         if (box)
             box->parentWidget()->deleteLater();
     m_sliceBoxes.assign(m_study->study.variables.size(), nullptr);
-    if (m_study->study.plan.kind != StudyPlan::Kind::Grid)
+    if (!m_study->study.plan.isGrid())
         return;
     for (std::size_t v = 0; v < m_sliceBoxes.size(); ++v) {
         if (int(v) == m_x->currentIndex() || int(v) == m_y->currentIndex())
