@@ -1,19 +1,17 @@
 // ripstop-cli build and builders: designs from parameters.
 //
-// In order: the builder and its parameters are read from the arguments, tables from a file where an
-// argument says so; buildScene() makes the design and writes it; and listBuilders() prints what
-// builders there are, as a text or as JSON.
+// In order: the builder is found and its parameters are read (builders/typed_parameters.h);
+// buildScene() makes the design and writes it; and listBuilders() prints what builders there are,
+// as a text or as JSON.
 #include "builders/builder.h"
+#include "builders/typed_parameters.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace ripstop {
 namespace {
@@ -26,14 +24,6 @@ std::string names(std::string_view separator)
     return list;
 }
 
-std::string listed(std::span<const std::string_view> choices)
-{
-    std::string list;
-    for (const std::string_view choice : choices)
-        list.append(list.empty() ? "" : ", ").append(choice);
-    return list;
-}
-
 // The builder of that name, or null after a message has been printed.
 const Builder* chooseBuilder(const std::string& name)
 {
@@ -41,62 +31,6 @@ const Builder* chooseBuilder(const std::string& name)
         return builder;
     fail(WrongUsage, "There is no builder \"" + name + "\"; there are " + names(", ") + ".");
     return nullptr;
-}
-
-// "1.2, 0.5; 1.1, 0.4", or "@lengths.csv" for what stands in a file.
-Result<NumberRows> tableFrom(const TableParameter& table, const std::string& text)
-{
-    if (!text.starts_with('@'))
-        return tableFromText(table, text);
-    std::ifstream file(text.substr(1));
-    std::ostringstream content;
-    content << file.rdbuf();
-    if (!file)
-        return Failure("%1: cannot read the file %2.", table.key, text.substr(1));
-    return tableFromText(table, content.str());
-}
-
-// A number, or a choice by its name or its number.
-Result<double> valueFrom(const Builder& builder, const std::string& key, std::string_view text)
-{
-    const auto parameter = std::ranges::find(builder.parameters, key, &Parameter::key);
-    const bool isChoice = parameter != builder.parameters.end() && !parameter->choices.empty();
-    if (isChoice)
-        if (const auto choice = std::ranges::find(parameter->choices, text);
-            choice != parameter->choices.end())
-            return double(choice - parameter->choices.begin());
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size())
-        return value;
-    return isChoice
-               ? Failure("%1 must be one of %2, not \"%3\".", key, listed(parameter->choices), text)
-               : Failure("%1 must be a number, not \"%2\".", key, text);
-}
-
-Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std::string>& texts)
-{
-    Parameters parameters;
-    for (const std::string& text : texts) {
-        const auto equals = text.find('=');
-        if (equals == std::string::npos)
-            return Failure("\"%1\" sets nothing; write KEY=VALUE, like span=2.4.", text);
-        const std::string key = text.substr(0, equals);
-        if (builder.table && key == builder.table->key) {
-            const Result<NumberRows> rows = tableFrom(*builder.table, text.substr(equals + 1));
-            if (!rows)
-                return rows.failure();
-            setTable(parameters, *builder.table, *rows);
-            continue;
-        }
-        const Result<double> value =
-            valueFrom(builder, key, std::string_view(text).substr(equals + 1));
-        if (!value)
-            return value.failure();
-        if (!parameters.emplace(key, *value).second)
-            return Failure("%1 is given twice.", key);
-    }
-    return parameters;
 }
 
 // Parameters that were given and change nothing, because they mean something beside others only:

@@ -8,7 +8,7 @@
 #include "cli/targets.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
-#include "scene/path.h"
+#include "study/point_scene.h"
 #include "study/study_run.h"
 #include "study/study_table.h"
 #include "terminal/terminal.h"
@@ -186,8 +186,8 @@ int newStudy(const NewOptions& options)
     for (const StudyVariable& variable : study.variables)
         for (const std::string& path : variable.paths)
             for (const std::string& value : variable.values)
-                if (const auto edit = assignment(*scene, path + '=' + value); !edit)
-                    return fail(WrongUsage, edit.message());
+                if (const auto failure = checkAssignment(*scene, path + '=' + value))
+                    return fail(WrongUsage, failure->message);
     if (const auto failure = replaceFile(options.file, text))
         return fail(BadInput, failure->message);
     return Done;

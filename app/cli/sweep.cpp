@@ -6,7 +6,6 @@
 // that is interrupted leaves all runs that were done. prepare() refuses what it can before the
 // first run.
 #include "cli/commands.h"
-#include "study/many.h"
 #include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
 #include "cli/targets.h"
@@ -14,8 +13,9 @@
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
-#include "scene/path.h"
 #include "study/flight.h"
+#include "study/many.h"
+#include "study/point_scene.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -61,19 +61,21 @@ struct Sweep
 // Flies one run of the sweep. Returns nothing when it was interrupted.
 std::optional<FlightResult> flyOrder(const Sweep& sweep, const Order& order)
 {
-    Scene scene = sweep.scenes[order.scene];
+    std::vector<std::string> assignments;
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
-        if (auto failure = assign(scene, {sweep.axes[i].path + "=" + order.values[i]})) {
-            FlightResult none;
-            none.stopped = failure->message.english();
-            return none;
-        }
+        assignments.push_back(sweep.axes[i].path + "=" + order.values[i]);
+    const auto scene = sceneWith(sweep.scenes[order.scene], assignments);
+    if (!scene) {
+        FlightResult none;
+        none.stopped = scene.message().english();
+        return none;
+    }
     FlightPlan plan;
     plan.seconds = sweep.options.seconds;
     plan.from = sweep.options.from;
     plan.threads = sweep.options.threads;
     plan.isInterrupted = interrupted;
-    return fly(scene, sweep.controls[order.scene], plan);
+    return fly(*scene, sweep.controls[order.scene], plan);
 }
 
 // --- the table -----------------------------------------------------------------------------------
@@ -232,9 +234,9 @@ int prepare(const SweepOptions& options, Sweep& sweep)
             return loaded.exitCode;
         for (const SweepAxis& axis : sweep.axes)
             for (const std::string& value : axis.values)
-                if (auto edit = assignment(*loaded.scene, axis.path + "=" + value); !edit)
+                if (const auto failure = checkAssignment(*loaded.scene, axis.path + "=" + value))
                     return fail(WrongUsage, Message("%1: --sweep %2=%3: %4", options.scenes[i],
-                                                    axis.path, value, edit.message()));
+                                                    axis.path, value, failure->message));
         const FileNames inputs = inputsOf(*loaded.scene, options.scenes[i], {options.controls});
         if (const int code = refuseTargets({options.output}, inputs); code != Done)
             return code;

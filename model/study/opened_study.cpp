@@ -3,7 +3,7 @@
 #include "study/opened_study.h"
 
 #include "io/scene_file.h"
-#include "scene/path.h"
+#include "study/point_scene.h"
 
 #include <algorithm>
 
@@ -47,8 +47,8 @@ std::optional<Failure> checkAssignments(const OpenedStudy& opened)
         for (std::string& one : opened.assignments(0))
             all.push_back(std::move(one));
     for (const std::string& one : all)
-        if (const auto edit = assignment(opened.scene, one); !edit)
-            return Failure("%1: %2: %3", opened.file.string(), one, edit.message());
+        if (const auto failure = checkAssignment(opened.scene, one))
+            return Failure("%1: %2: %3", opened.file.string(), one, failure->message);
     return std::nullopt;
 }
 
@@ -99,14 +99,7 @@ Result<OpenedStudy> openStudy(const fs::path& file)
 
 Result<Scene> sceneOf(const OpenedStudy& opened, std::size_t point)
 {
-    Scene scene = opened.scene;
-    for (const std::string& one : opened.assignments(point)) {
-        const auto edit = assignment(scene, one);
-        if (!edit)
-            return Failure("%1: %2", one, edit.message());
-        (void)apply(scene, *edit);
-    }
-    return scene;
+    return sceneWith(opened.scene, opened.assignments(point));
 }
 
 } // namespace ripstop

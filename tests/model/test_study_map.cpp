@@ -1,7 +1,9 @@
 // A study seen over two of its variables: what each cell is, and the lines over them.
+#include "builders/builder.h"
 #include "model/cli_call.h"
 #include "model/files.h"
 #include "scene/path.h"
+#include "study/point_scene.h"
 #include "study/study_map.h"
 #include "study/study_table.h"
 #include "study/suggested_variable.h"
@@ -193,7 +195,8 @@ private slots:
         QCOMPARE(pathOf(scene, settingsId, propertyOf<&Settings::gravity>()),
                  std::string("settings.gravity"));
         for (const Entry& entry : scene.items)
-            for (const Property& property : propertiesOf(kindOf(*find(std::as_const(scene), entry.id)))) {
+            for (const Property& property :
+                 propertiesOf(kindOf(*find(std::as_const(scene), entry.id)))) {
                 const auto place = findPlace(scene, pathOf(scene, entry.id, property));
                 QVERIFY(place && place->property == &property);
                 QCOMPARE(place->targets, std::vector{entry.id});
@@ -225,6 +228,57 @@ private slots:
         for (const std::string& name : valuesOf("integrator"))
             QVERIFY(assignment(scene, "settings.integrator=" + name));
         QVERIFY(valuesOf("title").empty());
+    }
+
+    // --- builders' parameters --------------------------------------------------------------------
+
+    // A rope that is built again with another length is that long, and what is set in it beside
+    // that is set in the rope that came of it.
+    void partsAreBuiltAgain()
+    {
+        const Scene rope = *build(*findBuilder("rope"), {{"length", 2.0}, {"segments", 10.0}});
+        const auto part = [](const Scene& scene) {
+            for (const Entry& entry : scene.items)
+                if (const auto* one = std::get_if<Part>(&entry.item))
+                    return *one;
+            return Part();
+        };
+        const std::string name = part(rope).name;
+        const auto made = sceneWith(rope, {name + ".built.length=3.5", name + ".built.segments=7",
+                                           "settings.airDensity=1.1"});
+        QVERIFY2(made, made ? "" : made.message().english().c_str());
+        QCOMPARE(part(*made).links.size(), std::size_t(7));
+        double length = 0.0;
+        for (const Link& link : part(*made).links)
+            length += link.restLength;
+        QVERIFY2(std::abs(length - 3.5) < 1e-12, qPrintable(QString::number(length)));
+        QCOMPARE(made->settings.airDensity, 1.1);
+        QCOMPARE(*sceneWith(rope, {}), rope);
+    }
+
+    void whatCannotBeBuiltIsNamed_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("fragment");
+        QTest::newRow("no such part") << "kite.built.length=1"
+                                      << "kite";
+        QTest::newRow("a typing error") << "rope.built.lenght=1"
+                                        << "did you mean \"length\"";
+        QTest::newRow("no number") << "rope.built.length=long"
+                                   << "must be a number";
+        QTest::newRow("out of range") << "rope.built.length=-1"
+                                      << "length";
+    }
+
+    void whatCannotBeBuiltIsNamed()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, fragment);
+        const Scene rope = *build(*findBuilder("rope"), {});
+        const auto made = sceneWith(rope, {text.toStdString()});
+        QVERIFY(!made);
+        const QString said = QString::fromStdString(made.message().english());
+        QVERIFY2(said.contains(fragment), qPrintable(said));
     }
 
     // Points that are drawn lie where their numbers are, and vectors side by side.

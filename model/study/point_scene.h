@@ -1,0 +1,25 @@
+// The scene of one point of a study: a design with other values.
+//
+//     line.axialStiffness=6000      a property (scene/path.h)
+//     kite.built.span=2.8           a parameter of the builder that made the part "kite"; the part is
+//                                   built again with it (author/rebuild.h)
+//
+// Parts are built again first, all of their parameters at once, and properties are set in what comes
+// of that, in their order.
+#pragma once
+
+#include "base/result.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+// Fails with a sentence that names the text which cannot be.
+Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assignments);
+
+// Whether it can be set in this scene, beside no other.
+std::optional<Failure> checkAssignment(const Scene& scene, const std::string& assignment);
+
+} // namespace ripstop
