@@ -5859,6 +5859,16 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>son en-tête n’est pas compréhensible</translation>
     </message>
     <message>
+        <location filename="point_scene.cpp"/>
+        <source>the builder %1 has no parameter "%2"; did you mean "%3"?</source>
+        <translation>le constructeur %1 n’a pas de paramètre « %2 » ; serait-ce « %3 » ?</translation>
+    </message>
+    <message>
+        <location filename="point_scene.cpp"/>
+        <source>the part "%1" was not made by a builder</source>
+        <translation>la pièce « %1 » n’a pas été faite par un constructeur</translation>
+    </message>
+    <message>
         <location filename="polar_chart.cpp"/>
         <source>Angle of attack (degrees)</source>
         <translation>Angle d’attaque (degrés)</translation>
@@ -15323,6 +15333,31 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="typed_number.cpp"/>
         <source>must be in %1</source>
         <translation>doit être en %1</translation>
+    </message>
+    <message>
+        <location filename="typed_parameters.cpp"/>
+        <source>"%1" sets nothing; write KEY=VALUE, like span=2.4.</source>
+        <translation>« %1 » ne règle rien ; écrire CLÉ=VALEUR, comme span=2.4.</translation>
+    </message>
+    <message>
+        <location filename="typed_parameters.cpp"/>
+        <source>%1 is given twice.</source>
+        <translation>%1 est donné deux fois.</translation>
+    </message>
+    <message>
+        <location filename="typed_parameters.cpp"/>
+        <source>%1 must be a number, not "%2".</source>
+        <translation>%1 doit être un nombre, et non « %2 ».</translation>
+    </message>
+    <message>
+        <location filename="typed_parameters.cpp"/>
+        <source>%1 must be one of %2, not "%3".</source>
+        <translation>%1 doit être l’un de %2, et non « %3 ».</translation>
+    </message>
+    <message>
+        <location filename="typed_parameters.cpp"/>
+        <source>%1: cannot read the file %2.</source>
+        <translation>%1 : le fichier %2 ne peut pas être lu.</translation>
     </message>
     <message>
         <location filename="unknown_items.cpp"/>
