@@ -105,15 +105,17 @@ QWidget* makeStudy(const PanelParts& parts, const Panels& above, QDockWidget& do
 {
     auto* panel = new StudyPanel(parts.document, parts.recordings, &dock);
     QObject::connect(panel, &StudyPanel::said, &dock, parts.say);
-    QObject::connect(&above.the<Inspector>().sliders(), &SliderShelf::studyWanted, panel,
-                     &StudyPanel::study);
-    QObject::connect(&above.the<Inspector>().sliders(), &SliderShelf::studyWanted, &dock, [&dock] {
+    const auto comeForward = [&dock] {
         dock.show();
         dock.raise();
-        if (auto* window = qobject_cast<QMainWindow*>(dock.parentWidget());
-            window && !dock.isFloating() && dock.height() < roomOfStudy)
+        auto* window = qobject_cast<QMainWindow*>(dock.parentWidget());
+        if (window && !dock.isFloating() && dock.height() < roomOfStudy)
             window->resizeDocks({&dock}, {roomOfStudy}, Qt::Vertical);
-    });
+    };
+    SliderShelf& sliders = above.the<Inspector>().sliders();
+    QObject::connect(&sliders, &SliderShelf::studyWanted, panel, &StudyPanel::study);
+    QObject::connect(&sliders, &SliderShelf::studyWanted, &dock, comeForward);
+    QObject::connect(panel, &StudyPanel::opened, &dock, comeForward);
     return panel;
 }
 

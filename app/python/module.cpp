@@ -56,7 +56,7 @@ int jobsOr(int jobs)
 
 // --- values -------------------------------------------------------------------------------------
 
-py::object toPython(const Property& property, const Value& value)
+py::object toPython(const Value& value)
 {
     if (const auto* flag = std::get_if<bool>(&value))
         return py::bool_(*flag);
@@ -68,7 +68,6 @@ py::object toPython(const Property& property, const Value& value)
         return py::make_tuple(vector->x(), vector->y(), vector->z());
     if (std::holds_alternative<std::monostate>(value))
         return py::none();
-    (void)property;
     return py::str(textFromValue(value));
 }
 
@@ -117,7 +116,7 @@ py::object getValue(const Scene& scene, const std::string& path)
 {
     const Place place = orRaise(findPlace(scene, path));
     const auto thing = find(scene, place.targets.front());
-    return toPython(*place.property, place.property->get(*thing));
+    return toPython(place.property->get(*thing));
 }
 
 void setValue(Scene& scene, const std::string& path, const py::object& value)

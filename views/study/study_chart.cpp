@@ -335,4 +335,12 @@ void StudyChart::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
 }
 
+// As many values stand at the axes as have room.
+void StudyChart::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    drawAxes();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
 } // namespace ripstop

@@ -230,18 +230,22 @@ void StudyPanel::open(const QString& file)
 
 void StudyPanel::showOpened()
 {
-    const OpenedStudy& opened = *m_runner.study();
-    m_file = QString::fromStdString(opened.file.string());
+    const OpenedStudy& study = *m_runner.study();
+    m_file = QString::fromStdString(study.file.string());
     m_isEdited = false;
-    m_form->setStudy(opened.study,
+    m_form->setStudy(study.study,
                      [this](const StudyVariable& variable) { return unitOf(variable); });
-    m_view->setStudy(&opened, &m_runner.flights());
+    m_view->setStudy(&study, &m_runner.flights());
     m_pages->setCurrentIndex(1);
-    if (std::exchange(m_fliesOnceOpen, false))
+    const QString design = QString::fromStdString(study.sceneFile.string());
+    const bool flies = std::exchange(m_fliesOnceOpen, false);
+    if (flies)
         m_runner.fly(jobs());
     showState();
+    if (!flies)
+        emit opened();
     if (m_document.scene().items.empty())
-        emit designWanted(QString::fromStdString(opened.sceneFile.string()));
+        emit designWanted(design);
 }
 
 bool StudyPanel::isOfTheDesign() const

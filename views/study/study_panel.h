@@ -50,6 +50,7 @@ public:
     QString state() const;                  // what is said below the form
 
 signals:
+    void opened();                          // a study, which is shown now
     void designWanted(const QString& file); // of a study, while no design is open
     void said(const QString& words);        // for the status bar
 
