@@ -1,7 +1,7 @@
 // ripstop-cli sweep: one table of many runs.
 //
-// In order: one run (study/flight.h); the table, whose columns are the axes and the probes of all
-// scenes; and many runs, as many at a time as there are jobs, each on one place of the list of
+// In order: one run (study/flight.h); the table, whose columns are the cloth, the axes and the probes
+// of all scenes; and many runs, as many at a time as there are jobs, each on one place of the list of
 // orders. The file is replaced by a whole one at most once a second, so that a sweep
 // that is interrupted leaves all runs that were done. prepare() refuses what it can before the
 // first run.
@@ -13,6 +13,7 @@
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
+#include "materials/cloths.h"
 #include "study/flight.h"
 #include "study/many.h"
 #include "study/point_scene.h"
@@ -34,6 +35,7 @@ struct SweepOptions
     std::vector<std::string> scenes;
     std::vector<std::string> sweeps; // "PATH=VALUES"
     std::vector<std::string> assignments;
+    std::vector<std::string> cloths; // names of presets, or "all"
     double seconds = 0.0; // s
     double from = 0.0;    // s, of what means and extremes are over
     std::string output;   // empty for standard output
@@ -42,10 +44,11 @@ struct SweepOptions
     int jobs = 1;
 };
 
-// One run of the sweep: a scene of the list and a value for each axis.
+// One run of the sweep: a scene of the list, what its cloth is made of, and a value for each axis.
 struct Order
 {
     std::size_t scene;
+    const Preset* cloth; // null where it stays what it is
     std::vector<std::string> values;
 };
 
@@ -53,23 +56,35 @@ struct Sweep
 {
     const SweepOptions& options;
     std::vector<SweepAxis> axes;
+    std::vector<const Preset*> cloths;
     std::vector<Scene> scenes; // as loaded, with --set
     std::vector<ControlTrack> controls;
     std::vector<Order> orders;
 };
 
+FlightResult notFlown(const Message& why)
+{
+    FlightResult none;
+    none.stopped = why.english();
+    return none;
+}
+
 // Flies one run of the sweep. Returns nothing when it was interrupted.
 std::optional<FlightResult> flyOrder(const Sweep& sweep, const Order& order)
 {
+    Scene base = sweep.scenes[order.scene];
+    if (order.cloth) {
+        const auto made = presetEdit(base, *order.cloth, clothMaterials(base));
+        if (!made)
+            return notFlown(made.message());
+        (void)apply(base, made->edit);
+    }
     std::vector<std::string> assignments;
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
         assignments.push_back(sweep.axes[i].path + "=" + order.values[i]);
-    const auto scene = sceneWith(sweep.scenes[order.scene], assignments);
-    if (!scene) {
-        FlightResult none;
-        none.stopped = scene.message().english();
-        return none;
-    }
+    const auto scene = sceneWith(base, assignments);
+    if (!scene)
+        return notFlown(scene.message());
     FlightPlan plan;
     plan.seconds = sweep.options.seconds;
     plan.from = sweep.options.from;
@@ -111,9 +126,11 @@ std::string header(const Sweep& sweep, const std::vector<Layout::Probe>& probes)
         text += " s on";
     }
     text += "\nscene";
+    if (!sweep.cloths.empty())
+        text += ",cloth";
     for (const SweepAxis& axis : sweep.axes)
         text += ',' + csvCell(axis.path);
-    text += ",time (s),steps,hash,torn links,stopped";
+    text += ",time (s),steps,hash,torn links,stopped,accuracy";
     for (const Layout::Probe& probe : probes)
         for (const char* what : {" final", " mean", " min", " max"})
             text += ',' + csvCell(withUnit(probe.name + what, probe.unit));
@@ -124,11 +141,14 @@ std::string line(const Sweep& sweep, const Order& order, const FlightResult& row
                  const std::vector<Layout::Probe>& probes)
 {
     std::string text = csvCell(sweep.options.scenes[order.scene]);
+    if (!sweep.cloths.empty())
+        text += order.cloth ? ',' + csvCell(order.cloth->name) : ",";
     for (const std::string& value : order.values)
         text += ',' + csvCell(value);
     appendCell(text, row.time);
     text += ',' + std::to_string(row.steps) + ',' + row.hash + ',' + std::to_string(row.torn) + ','
-            + csvCell(row.stopped.empty() ? row.absurd : row.stopped);
+            + csvCell(row.stopped.empty() ? row.absurd : row.stopped) + ','
+            + csvCell(row.inaccurate);
     for (const Layout::Probe& probe : probes) {
         const auto found =
             std::ranges::find_if(row.probes, [&](const auto& p) { return isSame(p, probe); });
@@ -213,6 +233,36 @@ private:
     std::mutex m_mutex;
 };
 
+// Every cloth of the library for "all".
+std::optional<Failure> findCloths(const std::vector<std::string>& names,
+                                  std::vector<const Preset*>& cloths)
+{
+    for (const std::string& name : names) {
+        if (name == "all") {
+            cloths = clothPresets();
+            return std::nullopt;
+        }
+        const auto preset = findPreset(name);
+        if (!preset)
+            return preset.failure();
+        if (!isSheet((*preset)->kind))
+            return Failure("--cloth %1: this is no fabric; ripstop-cli presets lists them.", name);
+        cloths.push_back(*preset);
+    }
+    return std::nullopt;
+}
+
+// A scene without cloth is flown once, as it is.
+void addOrders(Sweep& sweep, std::size_t scene)
+{
+    std::vector<const Preset*> cloths = sweep.cloths;
+    if (cloths.empty() || clothMaterials(sweep.scenes[scene]).empty())
+        cloths = {nullptr};
+    for (const Preset* cloth : cloths)
+        for (auto& values : combinations(sweep.axes))
+            sweep.orders.push_back({scene, cloth, std::move(values)});
+}
+
 // Refuses what can be refused before the first run. Returns the exit code.
 int prepare(const SweepOptions& options, Sweep& sweep)
 {
@@ -222,7 +272,9 @@ int prepare(const SweepOptions& options, Sweep& sweep)
             return fail(WrongUsage, axis.message());
         sweep.axes.push_back(std::move(*axis));
     }
-    double runs = double(options.scenes.size());
+    if (const auto failure = findCloths(options.cloths, sweep.cloths))
+        return fail(WrongUsage, failure->message);
+    double runs = double(options.scenes.size() * std::max<std::size_t>(1, sweep.cloths.size()));
     for (const SweepAxis& axis : sweep.axes)
         runs *= double(axis.values.size());
     if (runs > mostRuns)
@@ -248,8 +300,7 @@ int prepare(const SweepOptions& options, Sweep& sweep)
             sweep.controls.back() = std::move(*track);
         }
         sweep.scenes.push_back(std::move(*loaded.scene));
-        for (auto& values : combinations(sweep.axes))
-            sweep.orders.push_back({i, std::move(values)});
+        addOrders(sweep, i);
     }
     return Done;
 }
@@ -261,7 +312,7 @@ std::string countOf(std::size_t some, std::size_t all)
 
 int sweep(const SweepOptions& options)
 {
-    Sweep sweep{options, {}, {}, {}, {}};
+    Sweep sweep{options, {}, {}, {}, {}, {}};
     if (const int code = prepare(options, sweep); code != Done)
         return code;
     std::size_t done = 0, stopped = 0, absurd = 0;
@@ -306,6 +357,13 @@ void addSweep(CLI::App& app, Command& chosen)
                      "flown")
         ->type_name("PATH=VALUES")
         ->allow_extra_args(false);
+    command
+        ->add_option("--cloth", options->cloths,
+                     "Presets that all cloth of the scenes is made of, one after the other: "
+                     "ripstop_050,skytex_27, or all of the library; lines and spars stay")
+        ->delimiter(',')
+        ->type_name("PRESETS")
+        ->allow_extra_args(false);
     command->add_option("--seconds", options->seconds, "Simulated time of each run, s")
         ->required()
         ->check(numberBetween(0.0, 1e9))
@@ -337,14 +395,16 @@ void addSweep(CLI::App& app, Command& chosen)
         "  ripstop-cli sweep scenes/delta_kite.ripstop.json --sweep wind.velocity=\"6,0,0; 8,0,0\" "
         "\\\n"
         "      --sweep settings.airDensity=1.0:0.1:1.3 --seconds 10 -o kite.csv --jobs 2\n"
-        "  ripstop-cli sweep scenes/*.ripstop.json --seconds 2\n"
+        "  ripstop-cli sweep scenes/*.ripstop.json --cloth all --seconds 5 -o cloths.csv\n"
         "\n"
         "A row for each run: what was set, time and steps that it came to, the hash of its last\n"
         "state, links that tore, and the final, mean, least and largest value of each probe over\n"
         "all steps, or those after --from. A run that stops early says so in its row, and the "
         "others go on; the exit "
         "code\n"
-        "is 3 then. The file is whole at any time and grows while runs end; Ctrl-C keeps the rows\n"
+        "is 3 then. One that missed the accuracy that is wanted says so in the column "
+        "\"accuracy\".\n"
+        " The file is whole at any time and grows while runs end; Ctrl-C keeps the rows\n"
         "of runs that are done.");
     command->callback([options, &chosen] { chosen = [options] { return sweep(*options); }; });
 }

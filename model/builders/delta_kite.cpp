@@ -29,6 +29,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"span",         "m",     2.4,    0.3, 12,  false, "From tip to tip; about twice the chord gives the usual nose angle of 90 degrees.", "Shape"},
     {"chord",        "m",     1.15,   0.2, 6,   false, "Length from the nose to the trailing edge."},
     {"keel_depth",   "m",     0.4,    0.02, 3,  false, "How far the tow point hangs below the wing; a third of the half span is usual."},
+    {"keel_length",  "",      0,      0, 0.95,  false, "Share of the chord along which the keel is sewn to a sail of real cloth, from the trailing edge on; its segments follow from those of the wing, and spars weigh where they are, so that the kite is the same at any number of segments. 0 has as many segments as said above.", {}, {}, 0.7},
     {"tow",          "",      0.6,    0.2, 0.9, false, "Where the tow point lies below the wing, from 0 at the nose to 1; a little ahead of the centroid of the sail, which is where this law has the centre of pressure; real deltas have both further forward."},
     {"dihedral",     "deg",   8,      -10, 30,  false, "Rise of the leading edges to the tips; keeps the kite upright."},
     {"billow",       "",      0.05,   0, 0.3,   false, "Arch of the sail between keel and leading edge, over its local half width."},
@@ -140,14 +141,67 @@ Id addKeel(Network& network, const Parameters& p, int segments, const std::vecto
     return keel.at(0, 0);
 }
 
+// How a real sail is cut into rows of panels, and how many of them the keel has.
+struct Rows
+{
+    std::vector<double> at; // as addHalves() has them
+    int keel;
+};
+
+// About as many panels as the ideal sail has, of rows that all reach the axis instead of every
+// second one. Where the length of the keel is said, a row lies at its front, and those ahead of it
+// and behind are evenly spaced each.
+Rows realRows(const Parameters& p)
+{
+    const double perRow = 1.0 / std::numbers::sqrt2;
+    const int rows = int(std::round(perRow * p.at("segments")));
+    const double length = p.at("keel_length");
+    if (length == 0.0)
+        return {evenRows(rows), std::min(int(std::round(2.0 * perRow * p.at("keel"))), rows)};
+    const int keel = std::clamp(int(std::round(length * rows)), 1, rows - 1);
+    const int ahead = rows - keel;
+    Rows cut{{}, keel};
+    for (int row = 0; row <= ahead; ++row)
+        cut.at.push_back((1.0 - length) * row / ahead);
+    for (int row = 1; row <= keel; ++row)
+        cut.at.push_back(1.0 - length * (keel - row) / keel);
+    return cut;
+}
+
 // A real sail is sewn along the keel, and a spar goes there from the nose to the tail.
-SailFrame addRealSail(Network& network, const DeltaShape& shape, int segments, int keel,
+SailFrame addRealSail(Network& network, const DeltaShape& shape, const Rows& rows,
                       const Materials& materials)
 {
-    const SailFrame frame = addHalves(network, shape, segments, materials.sail);
+    const SailFrame frame = addHalves(network, shape, rows.at, materials.sail);
+    const int keel = rows.keel;
     for (std::size_t row = 0; row + 1 + std::size_t(keel) < frame.axis.size(); ++row)
         network.rod(frame.axis[row], frame.axis[row + 1], materials.spar);
     return frame;
+}
+
+// Nodes of the frame share its mass, the ring that the line is tied to among them; spars of a kite
+// that is the same at any mesh weigh where they are, but for what the ring and the two stiffeners
+// have of it.
+void addFrameMass(Network& network, const Parameters& p, const Kite& kite,
+                  const Materials& materials)
+{
+    const double mass = frameMass(p, {materials.spar}, network, p.at("frame_mass"));
+    std::vector<Id> apart = kite.stiffeners;
+    apart.push_back(kite.tow);
+    if (!isIdeal(p, "cloth") && p.at("keel_length") > 0.0) {
+        constexpr double share = 0.03; // 1, of each: about that of a node of the usual mesh
+        for (const Id node : apart)
+            network.row(node).mass += share * mass;
+        const double length = network.lengthOf(materials.spar);
+        network.addLinkMass(materials.spar, (1.0 - share * double(apart.size())) * mass / length);
+        return;
+    }
+    std::vector<Id> spars = kite.frame.leadingEdges;
+    spars.push_back(kite.tow);
+    spars.insert(spars.end(), kite.frame.axis.begin() + 1, kite.frame.axis.end());
+    spars.insert(spars.end(), kite.stiffeners.begin(), kite.stiffeners.end());
+    for (const Id node : spars)
+        network.row(node).mass += mass / double(spars.size());
 }
 
 Kite addKite(Network& network, const Parameters& p, const Materials& materials)
@@ -158,27 +212,15 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
                            p.at("billow"),
                            p.at("washout") * degrees,
                            p.at("reflex")};
-    const int segments = int(p.at("segments"));
     const bool isReal = !isIdeal(p, "cloth");
-    // As many panels, of rows that all reach the axis instead of every second one.
-    const double perRow = isReal ? 1.0 / std::numbers::sqrt2 : 1.0;
-    const int rows = int(std::round(perRow * segments));
-    const int keel =
-        isReal ? std::min(int(std::round(2.0 * perRow * p.at("keel"))), rows) : int(p.at("keel"));
-    const SailFrame frame = isReal
-                                ? addRealSail(network, shape, rows, keel, materials)
-                                : SailFrame::of(addSail(network, shape, segments, materials.sail));
-    const Id tow = addKeel(network, p, keel, frame.axis, materials);
+    const Rows rows = isReal ? realRows(p) : Rows{{}, int(p.at("keel"))};
+    const SailFrame frame =
+        isReal ? addRealSail(network, shape, rows, materials)
+               : SailFrame::of(addSail(network, shape, int(p.at("segments")), materials.sail));
+    const Id tow = addKeel(network, p, rows.keel, frame.axis, materials);
     network.addFabricMass(clothDensity(p));
-    Kite kite{frame, addStiffeners(network, shape, frame, materials.frame), tow};
-
-    std::vector<Id> spars = frame.leadingEdges; // and the ring that the line is tied to
-    spars.push_back(tow);
-    spars.insert(spars.end(), frame.axis.begin() + 1, frame.axis.end());
-    spars.insert(spars.end(), kite.stiffeners.begin(), kite.stiffeners.end());
-    const double mass = frameMass(p, {materials.spar}, network, p.at("frame_mass"));
-    for (const Id node : spars)
-        network.row(node).mass += mass / double(spars.size());
+    const Kite kite{frame, addStiffeners(network, shape, frame, materials.frame), tow};
+    addFrameMass(network, p, kite, materials);
     if (p.at("equal_masses") > 0.0)
         network.shareMass();
     return kite;

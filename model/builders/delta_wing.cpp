@@ -61,18 +61,27 @@ Lattice addSail(Network& network, const DeltaShape& shape, int segments,
     return lattice;
 }
 
-SailFrame addHalves(Network& network, const DeltaShape& shape, int segments,
+std::vector<double> evenRows(int segments)
+{
+    std::vector<double> rows;
+    for (int row = 0; row <= segments; ++row)
+        rows.push_back(double(row) / segments);
+    return rows;
+}
+
+SailFrame addHalves(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
                     const SailMaterials& materials)
 {
+    const int segments = int(rows.size()) - 1;
     SailFrame frame;
-    for (int row = 0; row <= segments; ++row)
-        frame.axis.push_back(addNode(network, shape, double(row) / segments, 0.0));
+    for (const double row : rows)
+        frame.axis.push_back(addNode(network, shape, row, 0.0));
     for (const bool left : {true, false}) {
         const auto onAxis = [&](int row, int column) { return column == (left ? row : 0); };
         const Lattice half(segments, [&](int row, int column) {
             const double u = row == 0 ? 0.0 : double(column) / row - (left ? 1.0 : 0.0);
             return onAxis(row, column) ? frame.axis[std::size_t(row)]
-                                       : addNode(network, shape, double(row) / segments, u);
+                                       : addNode(network, shape, rows[std::size_t(row)], u);
         });
         for (const Lattice::Edge& edge : half.edges()) {
             const bool inner =

@@ -42,11 +42,14 @@ struct SailFrame
     static SailFrame of(const Lattice& lattice);
 };
 
+// Where the rows of nodes of a sail lie along its keel, from 0 at the nose to 1, at equal steps.
+std::vector<double> evenRows(int segments);
+
 // The sail of two halves that are sewn together along the keel, each a lattice from there to its
-// leading edge, with n segments per side. So all rows have a node in the fold of the dihedral:
+// leading edge, with a row of nodes at each of `rows`. So all rows have a node in the fold of the dihedral:
 // where only every second one has, rods and panels cut across the fold, and the wing is another one
-// for each n. There are no rods along the seam, where the caller lays the keel.
-SailFrame addHalves(Network& network, const DeltaShape& shape, int segments,
+// for each mesh. There are no rods along the seam, where the caller lays the keel.
+SailFrame addHalves(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
                     const SailMaterials& materials);
 
 // Two particles above and below the sail, tied to leading edges and axis. They stand at a steep

@@ -141,7 +141,7 @@ Wing addRealSail(Network& network, const DeltaShape& shape, const Parameters& p,
     const int rows =
         3 * std::max(1, int(std::round(p.at("segments") / (3.0 * std::numbers::sqrt2))));
     Wing wing{};
-    wing.frame = addHalves(network, shape, rows, materials.sail);
+    wing.frame = addHalves(network, shape, evenRows(rows), materials.sail);
     const std::vector<Id>& axis = wing.frame.axis;
     for (std::size_t row = 1; row < axis.size(); ++row)
         network.rod(axis[row - 1], axis[row], materials.sail.edges);

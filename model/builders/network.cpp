@@ -110,6 +110,15 @@ void Network::addFabricMass(double density)
     }
 }
 
+double Network::lengthOf(Id material) const
+{
+    double length = 0.0;
+    for (const Link& link : m_part.links)
+        if (link.material == material)
+            length += link.restLength;
+    return length;
+}
+
 void Network::addLinkMass(Id material, double density)
 {
     for (const Link& link : m_part.links)

@@ -41,6 +41,8 @@ public:
     // Gives each corner of the panel its third of the fabric's mass; density in kg/m^2.
     void addFabricMass(double density);
 
+    double lengthOf(Id material) const; // m, of all links of this material
+
     // Gives both ends of each link of this material half of what it weighs; density in kg/m.
     void addLinkMass(Id material, double density);
 

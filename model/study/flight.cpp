@@ -112,6 +112,7 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
     if (flight.stopped.empty())
         for (const Message& one : absurdities(simulation))
             flight.absurd += (flight.absurd.empty() ? "" : " ") + one.english();
+    flight.inaccurate = frame->accuracy.complaint().english();
     flight.measured = readers.results();
     return flight;
 }

@@ -37,6 +37,7 @@ struct FlightResult
     std::uint32_t firstTorn = 0;                                     // id of the element
     std::string stopped;               // why it ended early, or cannot begin; empty when it did not
     std::string absurd;                // what its end cannot be; empty when it can
+    std::string inaccurate;            // that it missed the wanted accuracy; empty when it did not
     std::vector<double> measured;      // [measures] not a number where nothing counted
     std::vector<Layout::Probe> probes; // with names that tell them apart
 

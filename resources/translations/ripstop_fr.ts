@@ -10942,6 +10942,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Keel length</source>
+        <translation>Longueur de quille</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Keep</source>
         <translation>Garder</translation>
     </message>
@@ -12629,6 +12634,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Share of its strengths that what is made of it keeps, as fabric does at seams and a line at knots: about 0.8 for lap seams, 0.9 for sewn loops, 0.35 to 0.6 for knots; all of it tears at that share where the material tears by strength, and else it is noted for margins.</source>
         <translation>Part de ses résistances que garde ce qui en est fait, comme le tissu aux coutures et une ligne aux nœuds : environ 0.8 pour les coutures rabattues, 0.9 pour les boucles cousues, 0.35 à 0.6 pour les nœuds ; tout cède à cette part si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Share of the chord along which the keel is sewn to a sail of real cloth, from the trailing edge on; its segments follow from those of the wing, and spars weigh where they are, so that the kite is the same at any number of segments. 0 has as many segments as said above.</source>
+        <translation>Part de la corde sur laquelle la quille est cousue à une voile de toile réelle, depuis le bord de fuite ; ses segments suivent ceux de l’aile, et les longerons pèsent là où ils sont, si bien que le cerf-volant est le même avec n’importe quel nombre de segments. 0 lui donne autant de segments que dit plus haut.</translation>
     </message>
     <message>
         <location filename="tables"/>

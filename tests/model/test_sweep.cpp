@@ -89,17 +89,17 @@ private slots:
         QCOMPARE(table.size(), 1 + 9);
         QCOMPARE(table[0], (QStringList{"scene", "settings.gravity", "weights.particles.mass",
                                         "time (s)", "steps", "hash", "torn links", "stopped",
-                                        "height, own final (m)", "height, own mean (m)",
+                                        "accuracy", "height, own final (m)", "height, own mean (m)",
                                         "height, own min (m)", "height, own max (m)"}));
         for (int i = 0; i < 9; ++i) {
             const QStringList& row = table[i + 1];
             const double gravity = 10.0 - 5.0 * (i / 3);
             QCOMPARE(row[2].toDouble(), 1.0 + 0.5 * (i % 3));
             QCOMPARE(row[4], QString("50"));
-            QVERIFY(std::abs(row[8].toDouble() - (5.0 - gravity * 0.125)) < 0.03);
-            QVERIFY(std::abs(row[9].toDouble() - (5.0 - gravity * 0.25 / 6.0)) < 0.03);
-            QCOMPARE(row[10], row[8]); // it is lowest in the end and highest at the start
-            QCOMPARE(row[11].toDouble(), 5.0);
+            QVERIFY(std::abs(row[9].toDouble() - (5.0 - gravity * 0.125)) < 0.03);
+            QVERIFY(std::abs(row[10].toDouble() - (5.0 - gravity * 0.25 / 6.0)) < 0.03);
+            QCOMPARE(row[11], row[9]); // it is lowest in the end and highest at the start
+            QCOMPARE(row[12].toDouble(), 5.0);
         }
     }
 
@@ -112,9 +112,9 @@ private slots:
             call({"sweep", folder.file, "--seconds", "0.5", "--from", "0.3", "-o", folder.output});
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
         const QStringList row = folder.table().at(1);
-        QVERIFY(std::abs(row[6].toDouble() - 3.75) < 0.03);
-        QVERIFY(std::abs(row[7].toDouble() - (5.0 - 10.0 * 0.098 / 1.2)) < 0.03);
-        QVERIFY(std::abs(row[9].toDouble() - 4.55) < 0.03);
+        QVERIFY(std::abs(row[7].toDouble() - 3.75) < 0.03);
+        QVERIFY(std::abs(row[8].toDouble() - (5.0 - 10.0 * 0.098 / 1.2)) < 0.03);
+        QVERIFY(std::abs(row[10].toDouble() - 4.55) < 0.03);
     }
 
     // The same bits as by run, and the same table for any number of jobs.
@@ -156,6 +156,64 @@ private slots:
         QVERIFY(!table[1][6].isEmpty());
         QVERIFY(std::abs(table[2][2].toDouble() - 0.5) < 0.01);
         QVERIFY(table[2][6].isEmpty());
+    }
+
+    // Two cloths of the library: each row is a flight of the scene that presets --apply makes. A
+    // scene without cloth is flown once.
+    void everyClothIsFlown()
+    {
+        Folder folder;
+        const Outcome outcome =
+            call({"sweep", scene("flag"), folder.file, "--cloth", "ripstop_050,dacron_sail",
+                  "--seconds", "0.2", "-o", folder.output});
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
+        const auto table = folder.table();
+        QCOMPARE(table.size(), 1 + 3);
+        QCOMPARE(table[0][1], QString("cloth"));
+        QCOMPARE(table[3][1], QString());
+        const QString made = folder.filePath("made.ripstop.json");
+        for (const int row : {1, 2}) {
+            QStringList apply{"presets", scene("flag"), "--apply", table[row][1], "-o", made};
+            for (const char* material : {"cloth", "shear", "structural"})
+                apply << "--material" << material;
+            const Outcome changed = call(apply);
+            QVERIFY2(changed.exitCode == 0, qPrintable(changed.error));
+            const Outcome flown = call({"run", made, "--seconds", "0.2", "--json"});
+            QCOMPARE(table[row][4], flown.json()["hash"].toString());
+        }
+        QVERIFY(table[1][4] != table[2][4]);
+    }
+
+    // Each of these is refused before the first run, with a word that says why.
+    void refusesCloth_data()
+    {
+        QTest::addColumn<QString>("cloth");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("no such preset") << "ripstop_076"
+                                        << "did you mean";
+        QTest::newRow("a line") << "dyneema_1"
+                                << "no fabric";
+    }
+
+    void refusesCloth()
+    {
+        QFETCH(QString, cloth);
+        QFETCH(QString, words);
+        Folder folder;
+        const Outcome outcome = call({"sweep", scene("flag"), "--cloth", cloth, "--seconds", "1"});
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.error.contains(words), qPrintable(outcome.error));
+    }
+
+    // What misses the accuracy that is wanted is told in its row.
+    void tellsOfMissedAccuracy()
+    {
+        Folder folder;
+        const Outcome outcome =
+            call({"sweep", scene("paper_kite"), "--seconds", "1", "-o", folder.output});
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
+        QCOMPARE(folder.table()[0][6], QString("accuracy"));
+        QVERIFY(folder.table()[1][6].contains("missed the wanted accuracy"));
     }
 
     void refuses_data()
