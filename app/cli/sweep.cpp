@@ -1,8 +1,8 @@
 // ripstop-cli sweep: one table of many runs.
 //
-// In order: one run (study/flight.h); the table, whose columns are the cloth, the axes and the probes
-// of all scenes; and many runs, as many at a time as there are jobs, each on one place of the list of
-// orders. The file is replaced by a whole one at most once a second, so that a sweep
+// In order: one run (study/flight.h); the table, whose columns are the cloth, the axes and the
+// probes of all scenes; and many runs, as many at a time as there are jobs, each on one place of
+// the list of orders. The file is replaced by a whole one at most once a second, so that a sweep
 // that is interrupted leaves all runs that were done. prepare() refuses what it can before the
 // first run.
 #include "cli/commands.h"
@@ -36,9 +36,9 @@ struct SweepOptions
     std::vector<std::string> sweeps; // "PATH=VALUES"
     std::vector<std::string> assignments;
     std::vector<std::string> cloths; // names of presets, or "all"
-    double seconds = 0.0; // s
-    double from = 0.0;    // s, of what means and extremes are over
-    std::string output;   // empty for standard output
+    double seconds = 0.0;            // s
+    double from = 0.0;               // s, of what means and extremes are over
+    std::string output;              // empty for standard output
     std::string controls;
     int threads = 1;
     int jobs = 1;

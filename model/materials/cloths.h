@@ -1,5 +1,5 @@
-// Cloth: which materials of a scene are cloth, and all cloths of the library, to fly one design with
-// each of them.
+// Cloth: which materials of a scene are cloth, and all cloths of the library, to fly one design
+// with each of them.
 #pragma once
 
 #include "materials/presets.h"

@@ -29,8 +29,7 @@ Scene kite(const Parameters& given, const char* builder = "delta_kite")
 
 Parameters real(double segments = 14)
 {
-    return {
-        {"cloth", 2}, {"spars", 1}, {"cord", 3}, {"segments", segments}, {"keel_length", 0.7}};
+    return {{"cloth", 2}, {"spars", 1}, {"cord", 3}, {"segments", segments}, {"keel_length", 0.7}};
 }
 
 double number(const char* preset, std::string_view key)

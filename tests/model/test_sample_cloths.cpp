@@ -1,6 +1,6 @@
-// The samples with the lightest and the heaviest cloth of the library: nothing explodes in 1 s, and
-// the accuracy that is wanted is held, or the run says that it is not. test_every_cloth.cpp has all
-// cloths.
+// The samples with the lightest and the heaviest cloth of the library: nothing explodes in 1 s, or
+// in 0.4 s of those whose folds touch each other, and the accuracy that is wanted is held, or the
+// run says that it is not. test_every_cloth.cpp has all cloths.
 #include "model/cloth_flights.h"
 
 #include <QtTest>
@@ -27,14 +27,16 @@ private slots:
                         << name << QByteArray::fromStdString(cloth->name);
     }
 
-    // The settings of the papers hold no accuracy, and touch is hard to foresee; a run of either may
-    // miss what is wanted, and says so.
+    // The settings of the papers hold no accuracy, and touch is hard to foresee; a run of either
+    // may miss what is wanted, and says so.
     void samplesFlyWithLightAndHeavyCloth()
     {
         QFETCH(QString, name);
         QFETCH(QByteArray, cloth);
         const Scene scene = madeOf(sample(name), cloth.toStdString());
-        const Flown run = flown(scene, 1.0);
+        // folds that touch each other take minutes with stiff, light cloth
+        const double seconds = partOf(scene).selfContact > 0.0 ? 0.4 : 1.0;
+        const Flown run = flown(scene, seconds);
         QVERIFY2(run.trouble.empty(), run.trouble.c_str());
         const std::string said = run.accuracy.complaint().english();
         if (run.accuracy.isMet())
