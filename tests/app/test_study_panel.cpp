@@ -19,7 +19,7 @@
 #include <QTemporaryDir>
 #include <qcustomplot.h>
 
-using namespace ripstop;
+namespace ripstop::test_study_panel {
 
 namespace {
 
@@ -107,7 +107,8 @@ private slots:
         shop.shelf().study(shop.property(Kind::Settings, "gravity"), {settingsId});
         shop.setSeconds(0.1);
         QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 25, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 25,
+                                 patience);
         QVERIFY(QFile::exists(shop.folder.filePath("a.ripstop-study.json")));
         QVERIFY(QFile::exists(shop.folder.filePath("a.ripstop-runs/shard-1-of-1.jsonl")));
         QCOMPARE(shop.panel.runner().tally().stopped, std::size_t(0));
@@ -115,8 +116,7 @@ private slots:
         // a click on a cell chooses it: the third mass at the first gravity, half of the usual one
         StudyChart& chart = shop.panel.view().chart();
         QTest::qWait(50);
-        QTest::mouseClick(&chart.plot(), Qt::LeftButton, {},
-                          chart.placeOf(10).toPoint());
+        QTest::mouseClick(&chart.plot(), Qt::LeftButton, {}, chart.placeOf(10).toPoint());
         QVERIFY(shop.panel.view().chosen() == std::size_t(10));
         QTest::mouseClick(&shop.button("Watch"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(shop.isDone(), patience);
@@ -181,5 +181,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWithView<TestStudyPanel>(argc, argv); }
+const RegisteredTest registered("test_study_panel", runWithView<TestStudyPanel>);
+
+} // namespace ripstop::test_study_panel
 #include "test_study_panel.moc"

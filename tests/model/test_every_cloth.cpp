@@ -3,10 +3,11 @@
 // `ripstop-cli sweep scenes/*.ripstop.json --cloth all --seconds 5` flies all of them, for hours.
 #include "builders/builder.h"
 #include "model/cloth_flights.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
-using namespace ripstop;
+namespace ripstop::test_every_cloth {
 
 class TestEveryCloth : public QObject
 {
@@ -50,5 +51,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEveryCloth)
+const RegisteredTest registered("test_every_cloth", runWithCore<TestEveryCloth>);
+
+} // namespace ripstop::test_every_cloth
 #include "test_every_cloth.moc"

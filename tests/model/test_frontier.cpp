@@ -3,6 +3,7 @@
 #include "io/scene_file.h"
 #include "model/files.h"
 #include "model/tether.h"
+#include "registered_test.h"
 #include "study/frontier_search.h"
 #include "study/study_map.h"
 #include "study/study_run.h"
@@ -12,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-using namespace ripstop;
+namespace ripstop::test_frontier {
 
 namespace {
 
@@ -223,5 +224,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFrontier)
+const RegisteredTest registered("test_frontier", runPlain<TestFrontier>);
+
+} // namespace ripstop::test_frontier
 #include "test_frontier.moc"

@@ -2,12 +2,13 @@
 // in 0.4 s of those whose folds touch each other, and the accuracy that is wanted is held, or the
 // run says that it is not. test_every_cloth.cpp has all cloths.
 #include "model/cloth_flights.h"
+#include "registered_test.h"
 
 #include <QtTest>
 
 #include <string>
 
-using namespace ripstop;
+namespace ripstop::test_sample_cloths {
 
 class TestSampleCloths : public QObject
 {
@@ -47,5 +48,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSampleCloths)
+const RegisteredTest registered("test_sample_cloths", runWithCore<TestSampleCloths>);
+
+} // namespace ripstop::test_sample_cloths
 #include "test_sample_cloths.moc"

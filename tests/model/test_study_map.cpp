@@ -2,6 +2,7 @@
 #include "builders/builder.h"
 #include "model/cli_call.h"
 #include "model/files.h"
+#include "registered_test.h"
 #include "scene/path.h"
 #include "study/point_scene.h"
 #include "study/study_map.h"
@@ -13,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace ripstop;
+namespace ripstop::test_study_map {
 
 namespace {
 
@@ -300,5 +301,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStudyMap)
+const RegisteredTest registered("test_study_map", runPlain<TestStudyMap>);
+
+} // namespace ripstop::test_study_map
 #include "test_study_map.moc"
