@@ -15558,11 +15558,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <translation>Ne plus la faire varier.</translation>
     </message>
     <message>
-        <location filename="variable_row.cpp"/>
-        <source>to</source>
-        <translation>à</translation>
-    </message>
-    <message>
         <location filename="verification_dialog.cpp"/>
         <source>&amp;Measured data</source>
         <translation>&amp;Données mesurées</translation>

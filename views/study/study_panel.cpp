@@ -69,7 +69,12 @@ StudyPanel::StudyPanel(Document& document, Recordings& recordings, QWidget* pare
     sides->addWidget(m_view);
     sides->setStretchFactor(1, 1);
     sides->setSizes({formWidth, 2 * formWidth});
-    m_pages->addWidget(sides);
+    // A dock must not make the window wide: what is narrower is scrolled.
+    auto* scrolled = new QScrollArea;
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setWidget(sides);
+    m_pages->addWidget(scrolled);
 
     connect(m_form, &StudyForm::edited, this, [this] {
         m_isEdited = true;

@@ -104,7 +104,7 @@ void VariableRow::addRange(QGridLayout& grid)
     m_log->setChecked(m_variable.spread->kind == Distribution::Kind::Log);
     m_log->setToolTip(tr("Even factors from value to value instead of even differences."));
     grid.addWidget(m_from, 1, 0);
-    grid.addWidget(new QLabel(tr("to")), 1, 1);
+    grid.addWidget(new QLabel(QStringLiteral("–")), 1, 1);
     grid.addWidget(m_to, 1, 2);
     grid.addWidget(new QLabel(QStringLiteral("×")), 1, 3);
     grid.addWidget(m_count, 1, 4);
