@@ -1,9 +1,9 @@
 // The Python module `ripstop`: scenes, simulations, recordings and studies, without a window.
 //
 // What can take long releases the interpreter's lock. Arrays are read-only views of what the engine
-// made, without a copy: a frame (simulation/frame.h) never changes, and lives as long as a view of it.
-// What the engine refuses is raised as ripstop.Error with the engine's sentence. A simulation and its
-// hash are those of ripstop-cli, to the bit.
+// made, without a copy: a frame (simulation/frame.h) never changes, and lives as long as a view of
+// it. What the engine refuses is raised as ripstop.Error with the engine's sentence. A simulation
+// and its hash are those of ripstop-cli, to the bit.
 #include "base/hash_text.h"
 #include "builders/typed_parameters.h"
 #include "compile/compile.h"
@@ -258,7 +258,7 @@ py::array rollout(const Scene& scene, const std::vector<std::string>& controls,
 // --- studies ------------------------------------------------------------------------------------
 
 // The columns of the table, by their headings; what is not flown is not a number.
-py::dict tableOf(const OpenedStudy& opened)
+py::dict columnsOf(const OpenedStudy& opened)
 {
     const LedgerContent known = orRaise(readLedgers(ledgerFolder(opened.file)));
     const StudyFlights flights = flightsOf(opened, known.rows);
@@ -319,8 +319,9 @@ PYBIND11_MODULE(_engine, module)
         .def_static(
             "load", [](const std::string& file) { return orRaise(readScene(file)); },
             py::arg("file"))
-        .def_static("build", &buildScene, py::arg("builder"),
-                    "A design of a builder (ripstop-cli builders), with its parameters as keywords.")
+        .def_static(
+            "build", &buildScene, py::arg("builder"),
+            "A design of a builder (ripstop-cli builders), with its parameters as keywords.")
         .def(
             "save",
             [](const Scene& scene, const std::string& file) { orRaise(saveScene(scene, file)); },
@@ -342,10 +343,9 @@ PYBIND11_MODULE(_engine, module)
         .def("restore", &Run::restore, py::arg("checkpoint"), "Goes on from there, to the bit.")
         .def_property_readonly("time", [](Run& run) { return run.simulation().state().time; })
         .def_property_readonly("steps", [](Run& run) { return run.simulation().state().step; })
-        .def_property_readonly(
-            "time_step", [](Run& run) { return run.simulation().system().timeStep; })
-        .def_property_readonly("hash",
-                               [](Run& run) { return hashText(stateHash(run.simulation().state())); })
+        .def_property_readonly("time_step",
+                               [](Run& run) { return run.simulation().system().timeStep; })
+        .def_property_readonly("hash", [](Run& run) { return hashText(run.frame()->hash); })
         .def_property_readonly(
             "positions", [](Run& run) { return vectorsOf(run.frame(), run.frame()->position); },
             "[particles, 3] m, read-only")
@@ -356,8 +356,9 @@ PYBIND11_MODULE(_engine, module)
             "tensions", [](Run& run) { return numbersOf(run.frame(), run.frame()->tension); },
             "[links] N, read-only")
         .def_property_readonly("tears", [](Run& run) { return run.frame()->tears.size(); })
-        .def_property_readonly("probes", [](Run& run) { return probesOf(*run.frame()); },
-                               "The values of the probes by their names.");
+        .def_property_readonly(
+            "probes", [](Run& run) { return probesOf(*run.frame()); },
+            "The values of the probes by their names.");
 
     module.def("rollout", &rollout, py::arg("scene"), py::arg("controls"), py::arg("commands"),
                py::arg("steps"), py::arg("jobs") = 0,
@@ -397,7 +398,7 @@ PYBIND11_MODULE(_engine, module)
              py::arg("file"))
         .def("__len__", [](const OpenedStudy& opened) { return opened.points.count(); })
         .def("run", &runStudy, py::arg("jobs") = 0, "Flies what is missing; returns how many.")
-        .def("table", &tableOf, "The columns of what is flown, by their headings.");
+        .def("table", &columnsOf, "The columns of what is flown, by their headings.");
 }
 
 } // namespace ripstop

@@ -403,6 +403,29 @@ private slots:
         QCOMPARE(form.document.scene().settings.timeStep, 0.002);
     }
 
+    // Another design, opened over one that was changed, may have other things by the same ids.
+    void anotherDesignHasOtherThingsByTheSameIds()
+    {
+        for (const Id id : oneOfEachKind) {
+            Form form;
+            // who has sliders hears of a file that is saved under another name
+            QVERIFY(
+                !form.inspector.sliders().toggle(propertyOf<&Settings::timeStep>(), {settingsId}));
+            form.type(form.line("timeStep"), "0.002"); // unsaved
+            if (id != settingsId)
+                form.selection.set({id});
+            Scene other;
+            other.items = {{id == settingsId ? Id{1} : id, Wind{}}};
+            const bool wasWind = idOfKind(Kind::Wind) == id;
+            if (wasWind)
+                other.items.front().item = Material{};
+            other.nextId = Id{100};
+            form.document.replace(other);
+            QVERIFY(form.selection.ids().empty());
+            QVERIFY(form.line("timeStep"));
+        }
+    }
+
     // What a designer waits for when a whole sail is selected; the bound is generous for slow
     // machines, the point is that it does not grow with the square.
     void aLargeSelectionIsShownSoon()

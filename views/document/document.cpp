@@ -19,7 +19,10 @@ std::filesystem::path pathOf(const QString& file)
 Document::Document(QObject* parent)
     : QObject(parent)
 {
-    connect(&m_history, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+    connect(&m_history, &QUndoStack::cleanChanged, this, [this] {
+        if (!m_isReplacing)
+            emit fileChanged();
+    });
 }
 
 void Document::push(Edit edit)
@@ -108,8 +111,10 @@ void Document::show(Scene scene, const QString& file, const QString& suggestedNa
     m_file = file;
     m_written = QFileInfo(file).lastModified();
     m_suggestedName = suggestedName;
+    m_isReplacing = true; // nobody hears of the file before they hear of the scene
     m_history.clear();    // its commands belong to the scene that is gone
     m_history.setClean(); // clear() leaves this out when there are no commands
+    m_isReplacing = false;
     emit replaced();
     emit fileChanged();
 }

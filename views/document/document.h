@@ -66,6 +66,7 @@ private:
     QString m_suggestedName;
     QDateTime m_written; // when the file was, as last read or saved
     int m_gesture = 0;
+    bool m_isReplacing = false;
 };
 
 } // namespace ripstop
