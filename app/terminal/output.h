@@ -8,9 +8,9 @@
 namespace ripstop {
 
 // Takes over std::cout and std::cerr. What cannot be written is remembered for finish(), which
-// gives the command an exit code for it; a closed pipe and a limit of the size of files no longer end
-// the program in the middle of a file. Control characters, which names and titles of a scene may carry to a terminal, are
-// printed as \x1b and the like.
+// gives the command an exit code for it; a closed pipe and a limit of the size of files no longer
+// end the program in the middle of a file. Control characters, which names and titles of a scene
+// may carry to a terminal, are printed as \x1b and the like.
 class StandardOutput
 {
 public:

@@ -46,9 +46,9 @@ struct SailFrame
 std::vector<double> evenRows(int segments);
 
 // The sail of two halves that are sewn together along the keel, each a lattice from there to its
-// leading edge, with a row of nodes at each of `rows`. So all rows have a node in the fold of the dihedral:
-// where only every second one has, rods and panels cut across the fold, and the wing is another one
-// for each mesh. There are no rods along the seam, where the caller lays the keel.
+// leading edge, with a row of nodes at each of `rows`. So all rows have a node in the fold of the
+// dihedral: where only every second one has, rods and panels cut across the fold, and the wing is
+// another one for each mesh. There are no rods along the seam, where the caller lays the keel.
 SailFrame addHalves(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
                     const SailMaterials& materials);
 

@@ -11,7 +11,8 @@ namespace ripstop {
 class Simulation;
 
 // Natural rubber breaks at a strain of 7 to 10, and nothing stretches
-// farther. Beyond that a link was pulled out of its place, by a sphere that encloses it for example.
+// farther. Beyond that a link was pulled out of its place, by a sphere that encloses it for
+// example.
 inline constexpr double absurdStrain = 10.0; // 1
 
 // Weight is the same everywhere here, which holds for small parts of the radius of the earth.

@@ -1,11 +1,10 @@
 // The scene of one point of a study: a design with other values.
 //
 //     line.axialStiffness=6000      a property (scene/path.h)
-//     kite.built.span=2.8           a parameter of the builder that made the part "kite"; the part is
-//                                   built again with it (author/rebuild.h)
+//     kite.built.span=2.8           a parameter of the builder of the part "kite"
 //
-// Parts are built again first, all of their parameters at once, and properties are set in what comes
-// of that, in their order.
+// Parts are built again first (author/rebuild.h), all of their parameters at once, and properties
+// are set in what comes of that, in their order.
 #pragma once
 
 #include "base/result.h"

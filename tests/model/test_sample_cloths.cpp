@@ -1,6 +1,6 @@
-// The samples with the lightest and the heaviest cloth of the library: nothing explodes in 0.5 s, or
-// in 0.2 s of those whose folds touch each other, and the accuracy that is wanted is held, or the
-// run says that it is not. test_every_cloth.cpp has all cloths.
+// The samples with the lightest and the heaviest cloth of the library: nothing explodes in 0.5 s,
+// or in 0.2 s of those whose folds touch each other, and the accuracy that is wanted is held, or
+// the run says that it is not. test_every_cloth.cpp has all cloths.
 #include "model/cloth_flights.h"
 #include "registered_test.h"
 

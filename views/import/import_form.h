@@ -61,7 +61,7 @@ private:
     QComboBox* m_material;
     QCheckBox* m_perMaterial;
     QDoubleSpinBox* m_density;            // g/m^2
-    QComboBox* m_carrier = nullptr; // in the order of FabricKind
+    QComboBox* m_carrier = nullptr;       // in the order of FabricKind
     std::array<QComboBox*, 3> m_styles{}; // structural, shear, bend
 
     std::vector<Choice> m_choices;

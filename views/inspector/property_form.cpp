@@ -203,8 +203,7 @@ void PropertyForm::addMenu(const Row& row)
         row.field.widget->addAction(tune);
     }
     if (isTunable(property))
-        add(tr("Study this…"),
-            [this, &property] { m_sliders.study(property, m_subject.ids()); });
+        add(tr("Study this…"), [this, &property] { m_sliders.study(property, m_subject.ids()); });
     if (isResettable(property))
         add(tr("Back to the default"),
             [this, &property] { m_subject.edit(property, setTo(property.initial)); });

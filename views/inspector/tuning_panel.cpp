@@ -153,9 +153,8 @@ void TuningPanel::rebuild()
             });
             connect(row, &TuningRow::chosen, this,
                     [this, row] { m_selection.set(row->slider().ids); });
-            connect(row, &TuningRow::studyWanted, this, [this, row] {
-                m_sliders.study(*row->slider().property, row->slider().ids);
-            });
+            connect(row, &TuningRow::studyWanted, this,
+                    [this, row] { m_sliders.study(*row->slider().property, row->slider().ids); });
             m_list->insertWidget(int(i), row);
             m_rows.push_back(row);
         }
