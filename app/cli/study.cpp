@@ -63,7 +63,8 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
         std::cerr << "All points are flown already.\n";
     else
         std::cerr << "Flown: " << tally.flown << "; something tore in " << tally.torn << ", "
-                  << tally.stopped << " ended early.\n";
+                  << tally.stopped << " ended early, " << tally.inaccurate
+                  << " missed the accuracy.\n";
     return Done;
 }
 
@@ -77,7 +78,7 @@ int status(const std::string& file, bool json)
     const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
-    const auto [flown, torn, stopped] = tallyOf(*opened, known->rows);
+    const auto [flown, torn, stopped, inaccurate] = tallyOf(*opened, known->rows);
     const std::size_t all = opened->points.count();
     const std::size_t missing = missingPoints(*opened, known->rows).size();
     const bool isSearch = opened->study.plan.kind == StudyPlan::Kind::Frontier;
@@ -87,6 +88,7 @@ int status(const std::string& file, bool json)
                {"missing", missing},
                {"torn", torn},
                {"stopped", stopped},
+               {"inaccurate", inaccurate},
                {"tornLines", known->torn},
                {"differing", known->differing}});
         return Done;
@@ -96,7 +98,7 @@ int status(const std::string& file, bool json)
               << (isSearch && missing > 0 ? " next, along the frontier" : "")
               << (isSearch && missing == 0 ? ": the frontier is found" : "")
               << "\nsomething tore in       " << torn << "\nended early             " << stopped
-              << '\n';
+              << "\nmissed the accuracy     " << inaccurate << '\n';
     if (known->torn > 0)
         std::cout << "lines left out          " << known->torn << ", which a killed run tore\n";
     if (known->differing > 0)

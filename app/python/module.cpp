@@ -277,13 +277,15 @@ py::dict columnsOf(const OpenedStudy& opened)
                 flights[i] ? readingOf(*flights[i], r) : std::nan("");
         table[py::str(readings[r])] = column;
     }
-    py::list hashes, stopped;
+    py::list hashes, stopped, accuracy;
     for (const FlightResult* flight : flights) {
         hashes.append(flight ? flight->hash : std::string());
         stopped.append(flight ? flight->whyEarly() : std::string());
+        accuracy.append(flight ? flight->inaccurate : std::string());
     }
     table["hash"] = hashes;
     table["stopped"] = stopped;
+    table["accuracy"] = accuracy;
     return table;
 }
 

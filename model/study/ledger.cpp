@@ -84,6 +84,7 @@ std::optional<std::pair<std::string, FlightResult>> rowOf(const Json& json)
         std::uint32_t(std::isfinite(number("first_torn")) ? number("first_torn") : 0);
     flight.stopped = text("stopped");
     flight.absurd = text("absurd");
+    flight.inaccurate = text("inaccurate");
     for (const Json& value : json["measured"])
         flight.measured.push_back(numberIn(value));
     return std::pair(text("key"), std::move(flight));
@@ -118,6 +119,7 @@ Result<FlightKeys> FlightKeys::of(const Scene& scene, const fs::path& controls,
 {
     std::string common;
     append(common, RIPSTOP_VERSION);
+    append(common, "accuracy"); // rows of before did not say whether it was held
     append(common, sceneText(scene));
     for (const Entry& entry : scene.items)
         if (const auto* collider = std::get_if<Collider>(&entry.item);
@@ -231,6 +233,7 @@ std::optional<Failure> Ledger::add(const std::string& key, const FlightResult& f
     appendField(line, "first_torn", double(flight.firstTorn));
     appendField(line, "stopped", flight.stopped);
     appendField(line, "absurd", flight.absurd);
+    appendField(line, "inaccurate", flight.inaccurate);
     line += ",\"measured\":[";
     for (std::size_t i = 0; i < flight.measured.size(); ++i) {
         line += i ? "," : "";

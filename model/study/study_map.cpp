@@ -152,8 +152,10 @@ StudyMap mapOf(const OpenedStudy& opened, const StudyFlights& flights, const Map
         point.x = xScale.placeOf(values[choice.x]);
         point.y = choice.y ? yScale.placeOf(values[*choice.y]) : 0.0;
         point.outcome = outcomeOf(flights[i]);
-        if (flights[i])
+        if (flights[i]) {
             point.value = readingOf(*flights[i], choice.reading);
+            point.isInaccurate = !flights[i]->inaccurate.empty();
+        }
         if (map.isGrid)
             map.points[std::size_t(point.y) * map.columns() + std::size_t(point.x)] = point;
         else

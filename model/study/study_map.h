@@ -44,6 +44,7 @@ struct StudyMap
         double y = 0.0;         // row; 0 in a study of one variable
         double value = std::numeric_limits<double>::quiet_NaN();
         FlightOutcome outcome = FlightOutcome::Missing;
+        bool isInaccurate = false; // it missed the wanted accuracy
     };
     bool isGrid = false;
     StudyAxis x;

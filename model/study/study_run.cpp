@@ -79,6 +79,7 @@ void StudyTally::add(const FlightResult& flight)
     ++flown;
     torn += flight.torn > 0;
     stopped += flight.endedEarly();
+    inaccurate += !flight.inaccurate.empty();
 }
 
 Result<StudyFlown> flyMissing(

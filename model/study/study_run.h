@@ -46,8 +46,9 @@ std::optional<RecordedFlight> flyRecorded(const OpenedStudy& opened, std::size_t
 struct StudyTally
 {
     std::size_t flown = 0;
-    std::size_t torn = 0;    // of those, in which something tore
-    std::size_t stopped = 0; // of those, that diverged or ended in what cannot be
+    std::size_t torn = 0;       // of those, in which something tore
+    std::size_t stopped = 0;    // of those, that diverged or ended in what cannot be
+    std::size_t inaccurate = 0; // of those, that missed the wanted accuracy
 
     void add(const FlightResult& flight);
 };

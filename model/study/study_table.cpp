@@ -15,7 +15,8 @@ std::string header(const OpenedStudy& opened)
     text += opened.plan.untilTear ? " s or its first tear\npoint" : " s\npoint";
     for (const StudyVariable& variable : opened.study.variables)
         text += ',' + csvCell(variable.name);
-    text += ",time (s),steps,hash,torn links,first tear (s),first tear load,first torn,stopped";
+    text += ",time (s),steps,hash,torn links,first tear (s),first tear load,first "
+            "torn,stopped,accuracy";
     for (const std::string& heading : opened.headings)
         text += ',' + csvCell(heading);
     return text + '\n';
@@ -32,7 +33,7 @@ std::string line(const OpenedStudy& opened, std::size_t point, const FlightResul
     appendCell(text, flight.firstTear);
     appendCell(text, flight.firstTearLoad);
     text += flight.torn > 0 ? ',' + std::to_string(flight.firstTorn) : ",";
-    text += ',' + csvCell(flight.whyEarly());
+    text += ',' + csvCell(flight.whyEarly()) + ',' + csvCell(flight.inaccurate);
     for (std::size_t i = 0; i < opened.headings.size(); ++i)
         appendCell(text, i < flight.measured.size() ? flight.measured[i] : std::nan(""));
     return text + '\n';

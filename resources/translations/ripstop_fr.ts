@@ -8363,6 +8363,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
+        <source>%1 missed the wanted accuracy.</source>
+        <translation>%1 ont manqué la précision voulue.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
         <source>%1 of %2 flown</source>
         <translation>%1 sur %2 volés</translation>
     </message>

@@ -278,6 +278,7 @@ private slots:
         flight.torn = 1;
         flight.firstTear = 0.05;
         flight.stopped = "a \"reason\"\n";
+        flight.inaccurate = "missed";
         flight.measured = {1.0 / 3.0, std::nan("")};
         {
             auto ledger = Ledger::open(runs, "shard-1-of-2", {"a", "b"});
@@ -304,6 +305,7 @@ private slots:
         QCOMPARE(row.firstTear, 0.05);
         QVERIFY(std::isnan(row.firstTearLoad));
         QCOMPARE(row.stopped, std::string("a \"reason\"\n"));
+        QCOMPARE(row.inaccurate, std::string("missed"));
         QCOMPARE(row.measured[0], 1.0 / 3.0);
         QVERIFY(std::isnan(row.measured[1]));
     }

@@ -109,6 +109,21 @@ private slots:
         QVERIFY(grown.run().error.contains("flown already"));
     }
 
+    // The paper's kite has a fixed solver that holds no accuracy; with the automatic one it does.
+    void whatMissesTheAccuracySaysSo()
+    {
+        QTemporaryDir folder;
+        const QString study = folder.filePath("s.ripstop-study.json");
+        const Outcome made = call({"study", "new", study, "--scene", scene("paper_kite"), "--vary",
+                                   "settings.solver=paper_jacobi,auto", "--seconds", "0.2"});
+        QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+        const Outcome run = call({"study", "run", study});
+        QVERIFY2(run.error.contains("1 missed the accuracy"), qPrintable(run.error));
+        QCOMPARE(call({"study", "status", study, "--json"}).json()["inaccurate"].toInt(), 1);
+        const QByteArray table = call({"study", "merge", study}).out;
+        QCOMPARE(table.count("missed the wanted accuracy"), 1);
+    }
+
     // A point that cannot be flown is a row with its reason.
     void whatDivergesIsARow()
     {

@@ -110,6 +110,10 @@ StudyChart::StudyChart(QWidget* parent)
     m_torn->setLineStyle(QCPGraph::lsNone);
     m_crosses = m_plot->addGraph();
     m_crosses->setLineStyle(QCPGraph::lsNone);
+    m_doubts = m_plot->addGraph();
+    m_doubts->setLineStyle(QCPGraph::lsNone);
+    m_doubts->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(QColor(Qt::black), 1.0),
+                                              QBrush(QColor(Qt::white)), 5));
     m_mark = new QCPItemRect(m_plot);
     m_mark->setVisible(false);
     for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
@@ -222,12 +226,16 @@ void StudyChart::drawPoints()
     const bool areCells = m_cells->visible();
     const QCPRange values = valuesOf(m_map);
     std::vector<QVector<double>> x(shadeCount), y(shadeCount);
-    QVector<double> tornX, tornY, crossX, crossY;
+    QVector<double> tornX, tornY, crossX, crossY, doubtX, doubtY;
     for (const StudyMap::Point& point : m_map.points) {
         const double height = heightOf(point);
         if (point.outcome == FlightOutcome::Stopped) {
             crossX << point.x; // at the bottom where it has no value
             crossY << (std::isfinite(height) ? height : m_plot->yAxis->range().lower);
+        }
+        if (point.isInaccurate && std::isfinite(height)) {
+            doubtX << point.x;
+            doubtY << height;
         }
         if (areCells || !std::isfinite(point.value))
             continue;
@@ -244,6 +252,7 @@ void StudyChart::drawPoints()
         m_shades[i]->setData(x[i], y[i]);
     m_torn->setData(tornX, tornY);
     m_crosses->setData(crossX, crossY);
+    m_doubts->setData(doubtX, doubtY);
 }
 
 void StudyChart::drawLines()

@@ -1,10 +1,11 @@
 // A study as a picture: a map of cells over two variables, or its points over one or two.
 //
 // Colour is the value that is shown. Over a grid stand thin contours and, bold, the tear line
-// between what held and what did not; a flight that ended early has a cross, and what is not flown
-// is left empty. Columns and rows of a grid are equally wide whatever their values, which stand at
-// the axes. In a study of one variable the value is the height. A click chooses a flight; moving
-// the pointer tells which one is below it. Only the window's thread uses it.
+// between what held and what did not; a flight that ended early has a cross, one that missed the
+// wanted accuracy a dot, and what is not flown is left empty. Columns and rows of a grid are
+// equally wide whatever their values, which stand at the axes. In a study of one variable the value
+// is the height. A click chooses a flight; moving the pointer tells which one is below it. Only the
+// window's thread uses it.
 #pragma once
 
 #include "study/study_map.h"
@@ -67,6 +68,7 @@ private:
     QCPCurve* m_frontier;
     QCPGraph* m_crosses; // ended early
     QCPGraph* m_torn;    // rings, where no tear line is drawn
+    QCPGraph* m_doubts;  // dots, where the accuracy was missed
     QCPItemRect* m_mark;
     std::vector<QCPGraph*> m_shades; // of points that are no cells, one for each colour
 };

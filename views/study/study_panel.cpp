@@ -375,6 +375,8 @@ void StudyPanel::showState()
     if (!isKnown)
         return m_state->clear();
     QString words = tr("Something tore in %1, %2 ended early.").arg(tally.torn).arg(tally.stopped);
+    if (tally.inaccurate > 0)
+        words += ' ' + tr("%1 missed the wanted accuracy.").arg(tally.inaccurate);
     if (const double left = m_runner.secondsLeft(); std::isfinite(left))
         words += ' ' + tr("About %1 left.").arg(timeText(left));
     if (!isOfTheDesign())

@@ -247,6 +247,8 @@ void StudyView::describe(qlonglong point)
             text +=
                 tr("%1 is %2. ").arg(m_reading->currentText(), QLocale().toString(value, 'g', 4));
         text += outcomeText(*flight);
+        if (!flight->inaccurate.empty())
+            text += ' ' + translated(flight->inaccurate);
     } else {
         text += tr("not flown yet.");
     }
