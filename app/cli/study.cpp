@@ -78,9 +78,10 @@ int status(const std::string& file, bool json)
     const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
-    const auto [flown, torn, stopped, inaccurate] = tallyOf(*opened, known->rows);
+    const StudyFlights flights = flightsOf(*opened, known->rows);
+    const auto [flown, torn, stopped, inaccurate] = tallyOf(flights);
     const std::size_t all = opened->points.count();
-    const std::size_t missing = missingPoints(*opened, known->rows).size();
+    const std::size_t missing = missingPoints(*opened, flights).size();
     const bool isSearch = opened->study.plan.kind == StudyPlan::Kind::Frontier;
     if (json) {
         print({{"points", all},
@@ -118,13 +119,14 @@ int merge(const std::string& file, const std::string& output)
     const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
-    const std::string table = studyTable(*opened, known->rows);
+    const StudyFlights flights = flightsOf(*opened, known->rows);
+    const std::string table = studyTable(*opened, flights);
     if (output.empty())
         std::cout << table;
     else if (const auto failure = replaceFile(output, table))
         return fail(BadInput, failure->message);
-    std::cerr << "The table has "
-              << pointsText(tallyOf(*opened, known->rows).flown, opened->points.count()) << ".\n";
+    std::cerr << "The table has " << pointsText(tallyOf(flights).flown, opened->points.count())
+              << ".\n";
     return Done;
 }
 

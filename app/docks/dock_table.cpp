@@ -103,7 +103,7 @@ QWidget* makeTable(const PanelParts& parts, const Panels&, QDockWidget& dock)
 // What is to be studied brings it forward, with room for the map.
 QWidget* makeStudy(const PanelParts& parts, const Panels& above, QDockWidget& dock)
 {
-    auto* panel = new StudyPanel(parts.document, parts.recordings, &dock);
+    auto* panel = new StudyPanel(parts.document, parts.recordings, parts.saveDesign, &dock);
     QObject::connect(panel, &StudyPanel::said, &dock, parts.say);
     const auto comeForward = [&dock] {
         dock.show();

@@ -31,6 +31,7 @@ struct PanelParts
     Player& player;
     Recordings& recordings;
     std::function<void(const QString& message)> say; // in the status bar
+    std::function<bool()> saveDesign; // to a file of its own, as it is; false when it is not
 };
 
 // What a dock does when a scene is opened.

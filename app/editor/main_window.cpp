@@ -100,7 +100,8 @@ void MainWindow::buildDocks()
 {
     m_docks = std::make_unique<Docks>(
         *this, PanelParts{m_document, m_selection, m_player, *m_recordings,
-                          [this](const QString& message) { m_status->say(message); }});
+                          [this](const QString& message) { m_status->say(message); },
+                          [this] { return m_files->saveForStudy(); }});
     m_docks->panel<Inspector>().sliders().remember(m_memory == Memory::Keep);
 }
 

@@ -83,6 +83,18 @@ bool Files::save()
     return file.isEmpty() || isSample(file) ? saveAs() : write(file);
 }
 
+bool Files::saveForStudy()
+{
+    const QString file = m_document.file();
+    if (!file.isEmpty() && !isSample(file) && !m_document.isModified())
+        return true;
+    const auto answer = QMessageBox::question(
+        &m_window, tr("Save the design?"),
+        tr("A study flies the design as it is saved. Save %1 now?").arg(m_document.displayName()),
+        QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Save);
+    return answer == QMessageBox::Save && save();
+}
+
 bool Files::saveAs()
 {
     const QString file =

@@ -33,6 +33,7 @@ public:
     bool open(const QString& file); // false when refused; the open scene then stays
     bool save();
     bool saveAs();
+    bool saveForStudy(); // asks, when the design is not in a file of its own as it is
     void saveAsTemplate();
     void startFromTemplate(const QString& file);
     void exportRun(const Recordings& recordings);

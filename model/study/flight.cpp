@@ -117,6 +117,15 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
     return flight;
 }
 
+FlightOutcome outcomeOf(const FlightResult* flight)
+{
+    if (!flight)
+        return FlightOutcome::Missing;
+    if (flight->endedEarly())
+        return FlightOutcome::Stopped;
+    return flight->torn > 0 ? FlightOutcome::Torn : FlightOutcome::Held;
+}
+
 Result<std::vector<Layout::Probe>> probesOf(const Scene& scene)
 {
     const auto system = compile(scene);

@@ -45,6 +45,9 @@ struct FlightResult
     const std::string& whyEarly() const { return stopped.empty() ? absurd : stopped; }
 };
 
+enum class FlightOutcome { Missing, Held, Torn, Stopped };
+FlightOutcome outcomeOf(const FlightResult* flight); // of one that is not flown: Missing
+
 // Flies it. What cannot be compiled or diverges is a flight that says so; nothing comes back when
 // it was interrupted. A recorder keeps the flight, frame by frame; who
 // has it takes the recording and finishes it.

@@ -2,14 +2,14 @@
 // the places of the next finer level in such a box are its corners and middles.
 #include "study/frontier_search.h"
 
+#include "study/plan.h"
+
 #include <algorithm>
 #include <numeric>
 #include <set>
 
 namespace ripstop {
 namespace {
-
-using Place = std::vector<std::size_t>; // [variables] number of the value
 
 constexpr std::size_t coarseBoxes = 4; // along each variable, at least, where it has the values
 
@@ -27,8 +27,8 @@ std::vector<std::size_t> ticksOf(std::size_t values, std::size_t step)
 template <typename Visit>
 void forEachCombination(const std::vector<std::vector<std::size_t>>& lists, const Visit& visit)
 {
-    Place place(lists.size(), 0);
-    Place number(lists.size(), 0);
+    GridPlace place(lists.size(), 0);
+    GridPlace number(lists.size(), 0);
     for (;;) {
         for (std::size_t v = 0; v < lists.size(); ++v)
             place[v] = lists[v][number[v]];
@@ -48,7 +48,8 @@ class Search
 {
 public:
     Search(const Study& study, const HeldAt& heldAt)
-        : m_heldAt(heldAt)
+        : m_study(study)
+        , m_heldAt(heldAt)
     {
         for (const StudyVariable& variable : study.variables) {
             m_values.push_back(variable.values.size());
@@ -84,19 +85,11 @@ private:
         return ticks;
     }
 
-    std::size_t pointAt(const Place& place) const // the last variable changes fastest (plan.cpp)
-    {
-        std::size_t point = 0;
-        for (std::size_t v = 0; v < place.size(); ++v)
-            point = point * m_values[v] + place[v];
-        return point;
-    }
-
     std::vector<std::size_t> unknownOf(const std::vector<std::vector<std::size_t>>& lists) const
     {
         std::vector<std::size_t> points;
-        forEachCombination(lists, [&](const Place& place) {
-            if (const std::size_t point = pointAt(place); !m_heldAt(point))
+        forEachCombination(lists, [&](const GridPlace& place) {
+            if (const std::size_t point = gridPoint(m_study, place); !m_heldAt(point))
                 points.push_back(point);
         });
         return points;
@@ -112,7 +105,7 @@ private:
             std::iota(boxes.back().begin(), boxes.back().end(), 0);
         }
         std::set<std::size_t> points;
-        forEachCombination(boxes, [&](const Place& box) {
+        forEachCombination(boxes, [&](const GridPlace& box) {
             std::vector<std::vector<std::size_t>> inside;
             for (std::size_t v = 0; v < box.size(); ++v) {
                 const std::size_t low = ticks[v][box[v]];
@@ -124,8 +117,8 @@ private:
             }
             bool hasHeld = false, hasFailed = false;
             std::vector<std::size_t> unknown;
-            forEachCombination(inside, [&](const Place& place) {
-                const std::size_t point = pointAt(place);
+            forEachCombination(inside, [&](const GridPlace& place) {
+                const std::size_t point = gridPoint(m_study, place);
                 const auto held = m_heldAt(point);
                 hasHeld |= held == true;
                 hasFailed |= held == false;
@@ -138,6 +131,7 @@ private:
         return {points.begin(), points.end()};
     }
 
+    const Study& m_study;
     const HeldAt& m_heldAt;
     std::vector<std::size_t> m_values; // [variables] how many
     std::vector<std::size_t> m_coarse; // [variables] step of the coarse grid

@@ -174,7 +174,7 @@ std::vector<std::string> StudyPoints::values(std::size_t point) const
         return m_rows[point];
     const std::vector<StudyVariable>& variables = m_study.variables;
     std::vector<std::string> all(variables.size());
-    if (m_study.plan.isGrid()) { // the last variable changes fastest
+    if (m_study.plan.isGrid()) { // as gridPoint() has it
         for (std::size_t v = variables.size(); v-- > 0;) {
             const std::vector<std::string>& values = variables[v].values;
             all[v] = values[point % values.size()];
@@ -195,6 +195,14 @@ std::vector<std::string> StudyPoints::values(std::size_t point) const
     for (std::size_t v = 0; v < variables.size(); ++v)
         all[v] = drawn(v, share(point, v));
     return all;
+}
+
+std::size_t gridPoint(const Study& study, const GridPlace& place)
+{
+    std::size_t point = 0;
+    for (std::size_t v = 0; v < place.size(); ++v)
+        point = point * study.variables[v].values.size() + place[v];
+    return point;
 }
 
 // Gray code as of Antonov and Saleev 1979 would need the point before; this needs none.

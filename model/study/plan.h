@@ -37,6 +37,10 @@ private:
     std::vector<std::vector<std::uint32_t>> m_strata; // [variables][points] of a Latin hypercube
 };
 
+// The point of a grid by the numbers of its values; the last variable changes fastest.
+using GridPlace = std::vector<std::size_t>; // [variables]
+std::size_t gridPoint(const Study& study, const GridPlace& place);
+
 // The point of the sequence of Sobol' (1967) in this dimension, from 0 on, as a share of 2^32; the
 // direction numbers are those of Joe and Kuo (2008).
 inline constexpr std::size_t sobolDimensions = 10;

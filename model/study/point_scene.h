@@ -18,6 +18,9 @@ namespace ripstop {
 // Fails with a sentence that names the text which cannot be.
 Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assignments);
 
+// Of what a path sets, or empty.
+std::string unitOf(const Scene& scene, const std::string& path);
+
 // Whether it can be set in this scene, beside no other.
 std::optional<Failure> checkAssignment(const Scene& scene, const std::string& assignment);
 

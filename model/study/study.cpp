@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 namespace ripstop {
@@ -25,9 +25,9 @@ constexpr int mostOfRange = 100'000;
 // 10000 for the middle of a range from 1000 to 100000 that is logarithmic.
 std::string rounded(double number)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.12g", number);
-    return text;
+    char text[32]; // and a point in every language
+    return {text,
+            std::to_chars(text, text + sizeof text, number, std::chars_format::general, 12).ptr};
 }
 
 // The fields of an object, and the first thing that is wrong with them.

@@ -1,12 +1,12 @@
-// mapOf() takes a grid apart by the values of its points and lays other points out by their
-// numbers; below stand the lines that are drawn over a grid.
+// mapOf() finds the points of a grid by their places and lays other points out by their numbers;
+// below stand the lines that are drawn over a grid.
 #include "study/study_map.h"
 
-#include "scene/path.h"
+#include "scene/typed_number.h"
+#include "study/point_scene.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
 namespace ripstop {
@@ -16,16 +16,8 @@ constexpr std::array tearReadings{"first tear (s)", "first tear load (N or N/m)"
 
 std::string titleOf(const OpenedStudy& opened, const StudyVariable& variable)
 {
-    const auto place = findPlace(opened.scene, variable.paths.front());
-    const std::string unit = place ? std::string(place->property->unit) : std::string();
+    const std::string unit = unitOf(opened.scene, variable.paths.front());
     return unit.empty() ? variable.name : variable.name + " (" + unit + ")";
-}
-
-std::optional<double> numberOf(const std::string& value)
-{
-    char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    return end != value.c_str() && *end == '\0' ? std::optional(number) : std::nullopt;
 }
 
 bool spreadsByLogarithm(const StudyVariable& variable)
@@ -35,41 +27,25 @@ bool spreadsByLogarithm(const StudyVariable& variable)
                || variable.spread->kind == Distribution::Kind::LogNormal);
 }
 
-// Where the values of one variable lie on an axis.
+// Where a value lies on an axis: by its number, or in the order in which values without one come.
 class Scale
 {
 public:
-    Scale(const StudyVariable& variable, bool isGrid)
-        : m_isGrid(isGrid)
-    {
-        for (std::size_t i = 0; i < variable.values.size(); ++i)
-            m_place.emplace(variable.values[i], double(i));
-    }
+    explicit Scale(std::string unit)
+        : m_unit(std::move(unit))
+    {}
 
     double placeOf(const std::string& value)
     {
-        if (!m_isGrid)
-            if (const auto number = numberOf(value))
-                return *number;
+        if (const auto number = typedValue(value, m_unit).number)
+            return number->number;
         return m_place.emplace(value, double(m_place.size())).first->second;
     }
 
 private:
-    bool m_isGrid;
+    std::string m_unit;
     std::map<std::string, double> m_place;
 };
-
-bool isInSlice(const Study& study, const std::vector<std::string>& values, const MapChoice& choice)
-{
-    for (std::size_t v = 0; v < values.size(); ++v) {
-        if (v == choice.x || v == choice.y)
-            continue;
-        const std::size_t place = v < choice.slice.size() ? choice.slice[v] : 0;
-        if (values[v] != study.variables[v].values[place])
-            return false;
-    }
-    return true;
-}
 
 StudyAxis axisOf(const OpenedStudy& opened, std::size_t v, bool isGrid)
 {
@@ -82,22 +58,7 @@ StudyAxis axisOf(const OpenedStudy& opened, std::size_t v, bool isGrid)
 
 bool survived(const StudyMap::Point& point) { return point.outcome == FlightOutcome::Held; }
 
-// The value of a cell that contours may use.
-double valueOf(const StudyMap::Point& point)
-{
-    return point.outcome == FlightOutcome::Stopped ? std::nan("") : point.value;
-}
-
 } // namespace
-
-StudyFlights flightsOf(const OpenedStudy& opened, const LedgerRows& rows)
-{
-    StudyFlights flights(opened.points.count(), nullptr);
-    for (std::size_t i = 0; i < flights.size(); ++i)
-        if (const auto row = rows.find(opened.key(i)); row != rows.end())
-            flights[i] = &row->second;
-    return flights;
-}
 
 std::vector<std::string> readingsOf(const OpenedStudy& opened)
 {
@@ -122,15 +83,6 @@ double readingOf(const FlightResult& flight, std::size_t reading)
     return std::nan("");
 }
 
-FlightOutcome outcomeOf(const FlightResult* flight)
-{
-    if (!flight)
-        return FlightOutcome::Missing;
-    if (flight->endedEarly())
-        return FlightOutcome::Stopped;
-    return flight->torn > 0 ? FlightOutcome::Torn : FlightOutcome::Held;
-}
-
 StudyMap mapOf(const OpenedStudy& opened, const StudyFlights& flights, const MapChoice& choice)
 {
     const Study& study = opened.study;
@@ -139,27 +91,39 @@ StudyMap mapOf(const OpenedStudy& opened, const StudyFlights& flights, const Map
     map.x = axisOf(opened, choice.x, map.isGrid);
     if (choice.y)
         map.y = axisOf(opened, *choice.y, map.isGrid);
-    if (map.isGrid)
-        map.points.resize(map.columns() * map.rows());
-    Scale xScale(study.variables[choice.x], map.isGrid);
-    Scale yScale(study.variables[choice.y.value_or(choice.x)], map.isGrid);
+    const auto add = [&](std::size_t number, double x, double y) {
+        const FlightResult* flight = flights[number];
+        StudyMap::Point& point = map.points.emplace_back();
+        point.number = number;
+        point.x = x;
+        point.y = y;
+        point.outcome = outcomeOf(flight);
+        if (flight) {
+            point.value = readingOf(*flight, choice.reading);
+            point.isInaccurate = !flight->inaccurate.empty();
+        }
+    };
+    if (map.isGrid) {
+        GridPlace place = choice.slice;
+        place.resize(study.variables.size(), 0);
+        for (std::size_t row = 0; row < map.rows(); ++row)
+            for (std::size_t column = 0; column < map.columns(); ++column) {
+                place[choice.x] = column;
+                if (choice.y)
+                    place[*choice.y] = row;
+                add(gridPoint(study, place), double(column), double(row));
+            }
+        return map;
+    }
+    const auto unit = [&](std::size_t v) {
+        return unitOf(opened.scene, study.variables[v].paths.front());
+    };
+    Scale xScale(unit(choice.x));
+    Scale yScale(unit(choice.y.value_or(choice.x)));
     for (std::size_t i = 0; i < flights.size(); ++i) {
         const std::vector<std::string> values = opened.points.values(i);
-        if (map.isGrid && !isInSlice(study, values, choice))
-            continue;
-        StudyMap::Point point;
-        point.number = i;
-        point.x = xScale.placeOf(values[choice.x]);
-        point.y = choice.y ? yScale.placeOf(values[*choice.y]) : 0.0;
-        point.outcome = outcomeOf(flights[i]);
-        if (flights[i]) {
-            point.value = readingOf(*flights[i], choice.reading);
-            point.isInaccurate = !flights[i]->inaccurate.empty();
-        }
-        if (map.isGrid)
-            map.points[std::size_t(point.y) * map.columns() + std::size_t(point.x)] = point;
-        else
-            map.points.push_back(point);
+        add(i, xScale.placeOf(values[choice.x]),
+            choice.y ? yScale.placeOf(values[*choice.y]) : 0.0);
     }
     return map;
 }
@@ -198,7 +162,7 @@ std::vector<MapSegment> contour(const StudyMap& map, double level)
                 {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
             std::array<double, 4> value{};
             for (std::size_t c = 0; c < 4; ++c)
-                value[c] = valueOf(map.points[(y + corner[c][1]) * columns + x + corner[c][0]]);
+                value[c] = map.points[(y + corner[c][1]) * columns + x + corner[c][0]].shown();
             if (!std::ranges::all_of(value, [](double one) { return std::isfinite(one); }))
                 continue;
             std::vector<std::array<double, 2>> crossing; // of its four sides, in their order
@@ -223,26 +187,33 @@ std::vector<MapSegment> contour(const StudyMap& map, double level)
     return lines;
 }
 
+std::optional<ValueSpan> valueSpan(const StudyMap& map)
+{
+    std::optional<ValueSpan> span;
+    for (const StudyMap::Point& point : map.points)
+        if (const double value = point.shown(); std::isfinite(value)) {
+            if (!span)
+                span = ValueSpan{value, value};
+            span->least = std::min(span->least, value);
+            span->largest = std::max(span->largest, value);
+        }
+    return span;
+}
+
 std::vector<double> contourLevels(const StudyMap& map, int most)
 {
-    double least = std::numeric_limits<double>::infinity();
-    double largest = -least;
-    for (const StudyMap::Point& point : map.points)
-        if (const double value = valueOf(point); std::isfinite(value)) {
-            least = std::min(least, value);
-            largest = std::max(largest, value);
-        }
-    if (!(largest > least))
+    const auto span = valueSpan(map);
+    if (!span || !(span->largest > span->least))
         return {};
     // The next of 1, 2 and 5 times a power of ten that makes few enough.
-    const double wish = (largest - least) / double(most);
+    const double wish = (span->largest - span->least) / double(most);
     const double power = std::pow(10.0, std::floor(std::log10(wish)));
     double step = 10.0 * power;
     for (const double factor : {5.0, 2.0, 1.0})
         if (factor * power >= wish)
             step = factor * power;
     std::vector<double> levels;
-    for (double n = std::floor(least / step) + 1.0; n * step < largest; n += 1.0)
+    for (double n = std::floor(span->least / step) + 1.0; n * step < span->largest; n += 1.0)
         levels.push_back(n * step);
     return levels;
 }

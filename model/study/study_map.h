@@ -5,7 +5,7 @@
 // numbers are. Values that are no numbers, such as vectors, stand side by side in their order.
 #pragma once
 
-#include "study/opened_study.h"
+#include "study/study_run.h"
 
 #include <array>
 #include <cstddef>
@@ -16,17 +16,10 @@
 
 namespace ripstop {
 
-// What is known of each point; null where it is not flown. Points to rows of the ledgers.
-using StudyFlights = std::vector<const FlightResult*>; // [points]
-StudyFlights flightsOf(const OpenedStudy& opened, const LedgerRows& rows);
-
 // What a map may show of a flight: its measures, then these.
 enum class TearReading { FirstTear, FirstTearLoad, Torn };
 std::vector<std::string> readingsOf(const OpenedStudy& opened); // with units
 double readingOf(const FlightResult& flight, std::size_t reading);
-
-enum class FlightOutcome { Missing, Held, Torn, Stopped };
-FlightOutcome outcomeOf(const FlightResult* flight);
 
 struct StudyAxis
 {
@@ -45,6 +38,13 @@ struct StudyMap
         double value = std::numeric_limits<double>::quiet_NaN();
         FlightOutcome outcome = FlightOutcome::Missing;
         bool isInaccurate = false; // it missed the wanted accuracy
+
+        // What a picture shows of it: nothing of a flight that did not end as it was meant.
+        double shown() const
+        {
+            return outcome == FlightOutcome::Stopped ? std::numeric_limits<double>::quiet_NaN()
+                                                     : value;
+        }
     };
     bool isGrid = false;
     StudyAxis x;
@@ -57,10 +57,10 @@ struct StudyMap
 
 struct MapChoice
 {
-    std::size_t x = 0;              // variable
-    std::optional<std::size_t> y;   // another one
-    std::size_t reading = 0;        // of readingsOf()
-    std::vector<std::size_t> slice; // [variables] the value of each that is no axis, of a grid
+    std::size_t x = 0;            // variable
+    std::optional<std::size_t> y; // another one
+    std::size_t reading = 0;      // of readingsOf()
+    GridPlace slice;              // [variables] the value of each that is no axis, of a grid
 };
 
 StudyMap mapOf(const OpenedStudy& opened, const StudyFlights& flights, const MapChoice& choice);
@@ -79,6 +79,14 @@ std::vector<MapSegment> frontier(const StudyMap& map);
 // Where the value is `level`, straight between the middles of four cells (marching squares); cells
 // that are not flown or did not end as meant have no value.
 std::vector<MapSegment> contour(const StudyMap& map, double level);
+
+// Of what is shown; nothing where nothing is.
+struct ValueSpan
+{
+    double least;
+    double largest;
+};
+std::optional<ValueSpan> valueSpan(const StudyMap& map);
 
 // Round levels between the least and the largest value, at most `most`.
 std::vector<double> contourLevels(const StudyMap& map, int most);

@@ -1,11 +1,10 @@
-// flyMissing() goes round after round: it reads what is known, and each of its threads takes the
-// next point and adds a row under a lock as soon as a flight is over.
+// flyMissing() reads what is known, and each of its threads takes the next point and adds a row
+// under a lock as soon as a flight is over; a search along the frontier goes round again.
 #include "study/study_run.h"
 
 #include "recording/recorder.h"
 #include "study/frontier_search.h"
 #include "study/many.h"
-#include "study/study_map.h"
 
 #include <cmath>
 #include <mutex>
@@ -36,23 +35,28 @@ std::string Shard::name() const
     return "shard-" + std::to_string(place + 1) + "-of-" + std::to_string(count);
 }
 
-std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRows& rows)
+StudyFlights flightsOf(const OpenedStudy& opened, const LedgerRows& rows)
 {
-    if (opened.study.plan.kind == StudyPlan::Kind::Frontier) {
-        const StudyFlights flights = flightsOf(opened, rows);
+    StudyFlights flights(opened.points.count(), nullptr);
+    for (std::size_t i = 0; i < flights.size(); ++i)
+        if (const auto row = rows.find(opened.key(i)); row != rows.end())
+            flights[i] = &row->second;
+    return flights;
+}
+
+std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const StudyFlights& flights)
+{
+    if (opened.study.plan.kind == StudyPlan::Kind::Frontier)
         return frontierPoints(opened.study, [&](std::size_t point) -> std::optional<bool> {
             if (!flights[point])
                 return std::nullopt;
             return outcomeOf(flights[point]) == FlightOutcome::Held;
         });
-    }
     std::vector<std::size_t> points;
     std::set<std::string> keys;
-    for (std::size_t i = 0; i < opened.points.count(); ++i) {
-        std::string key = opened.key(i);
-        if (!rows.contains(key) && keys.insert(std::move(key)).second)
+    for (std::size_t i = 0; i < flights.size(); ++i)
+        if (!flights[i] && keys.insert(opened.key(i)).second)
             points.push_back(i);
-    }
     return points;
 }
 
@@ -82,6 +86,15 @@ void StudyTally::add(const FlightResult& flight)
     inaccurate += !flight.inaccurate.empty();
 }
 
+StudyTally tallyOf(const StudyFlights& flights)
+{
+    StudyTally tally;
+    for (const FlightResult* flight : flights)
+        if (flight)
+            tally.add(*flight);
+    return tally;
+}
+
 Result<StudyFlown> flyMissing(
     const OpenedStudy& opened, const Shard& shard, int jobs,
     const std::function<bool()>& isInterrupted,
@@ -93,7 +106,7 @@ Result<StudyFlown> flyMissing(
         const auto known = readLedgers(ledgerFolder(opened.file));
         if (!known)
             return known.failure();
-        std::vector<std::size_t> points = missingPoints(opened, known->rows);
+        std::vector<std::size_t> points = missingPoints(opened, flightsOf(opened, known->rows));
         const std::size_t all = points.size();
         std::erase_if(points, [&](std::size_t i) { return i % shard.count != shard.place; });
         flown.planned = flown.tally.flown + points.size();
@@ -123,7 +136,8 @@ Result<StudyFlown> flyMissing(
         });
         if (failure)
             return *failure;
-        if (flown.tally.flown < flown.planned)
+        const bool mayNeedMore = opened.study.plan.kind == StudyPlan::Kind::Frontier;
+        if (!mayNeedMore || flown.tally.flown < flown.planned)
             return flown;
     }
 }

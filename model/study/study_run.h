@@ -26,9 +26,13 @@ struct Shard // the points i with i % count == place
     std::string name() const; // of its file, without the ending
 };
 
-// The points that have to be flown next: those without a row, or of a plan along the frontier those
+// What is known of each point; null where it is not flown. They point to rows of the ledgers.
+using StudyFlights = std::vector<const FlightResult*>; // [points]
+StudyFlights flightsOf(const OpenedStudy& opened, const LedgerRows& rows);
+
+// The points that have to be flown next: those that are not, or of a plan along the frontier those
 // of them that are needed as far as can be told now. Of points that are alike the first.
-std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const LedgerRows& rows);
+std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const StudyFlights& flights);
 
 // Nothing when it was interrupted.
 std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point,
@@ -52,6 +56,7 @@ struct StudyTally
 
     void add(const FlightResult& flight);
 };
+StudyTally tallyOf(const StudyFlights& flights);
 
 // What has become of flying a study.
 struct StudyFlown

@@ -41,22 +41,13 @@ std::string line(const OpenedStudy& opened, std::size_t point, const FlightResul
 
 } // namespace
 
-std::string studyTable(const OpenedStudy& opened, const LedgerRows& rows)
+std::string studyTable(const OpenedStudy& opened, const StudyFlights& flights)
 {
     std::string table = header(opened);
-    for (std::size_t i = 0; i < opened.points.count(); ++i)
-        if (const auto row = rows.find(opened.key(i)); row != rows.end())
-            table += line(opened, i, row->second);
+    for (std::size_t i = 0; i < flights.size(); ++i)
+        if (flights[i])
+            table += line(opened, i, *flights[i]);
     return table;
-}
-
-StudyTally tallyOf(const OpenedStudy& opened, const LedgerRows& rows)
-{
-    StudyTally tally;
-    for (std::size_t i = 0; i < opened.points.count(); ++i)
-        if (const auto row = rows.find(opened.key(i)); row != rows.end())
-            tally.add(row->second);
-    return tally;
 }
 
 } // namespace ripstop

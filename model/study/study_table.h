@@ -9,9 +9,6 @@
 namespace ripstop {
 
 // CSV with a line before the heading that says program, scene and end.
-std::string studyTable(const OpenedStudy& opened, const LedgerRows& rows);
-
-// How many of the points have a row, and of what kind.
-StudyTally tallyOf(const OpenedStudy& opened, const LedgerRows& rows);
+std::string studyTable(const OpenedStudy& opened, const StudyFlights& flights);
 
 } // namespace ripstop

@@ -2455,6 +2455,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
+        <source>A study flies the design as it is saved. Save %1 now?</source>
+        <translation>Une étude fait voler la conception telle qu’elle est enregistrée. Enregistrer %1 maintenant ?</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
         <source>Another program has written %1 since you opened it. Replace what it wrote?</source>
         <translation>Un autre programme a écrit %1 depuis que vous l’avez ouvert. Remplacer ce qu’il a écrit ?</translation>
     </message>
@@ -2522,6 +2527,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="files.cpp"/>
         <source>Save as template</source>
         <translation>Enregistrer comme modèle</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Save the design?</source>
+        <translation>Enregistrer la conception ?</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -8403,11 +8413,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
-        <source>A study flies the design as it is saved. Save the changes to %1 now?</source>
-        <translation>Une étude fait voler la conception telle qu’elle est enregistrée. Enregistrer maintenant les modifications de %1 ?</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
         <source>A study flies the design many times with other values and shows what came of it as a map: for which stiffness and which strength does it hold?
 
 Right-click the name of a property, in the inspector or beside a slider, and choose Study this.</source>
@@ -8424,11 +8429,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="study_panel.cpp"/>
         <source>Cannot open the study</source>
         <translation>Impossible d’ouvrir l’étude</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>Cannot save the design</source>
-        <translation>Impossible d’enregistrer la conception</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -8464,21 +8464,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="study_panel.cpp"/>
         <source>Opening…</source>
         <translation>Ouverture…</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>Save the design</source>
-        <translation>Enregistrer la conception</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>Save the design?</source>
-        <translation>Enregistrer la conception ?</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>Scenes (*.ripstop.json)</source>
-        <translation>Scènes (*.ripstop.json)</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>

@@ -110,6 +110,21 @@ private slots:
         QVERIFY(contour(map, 1.5).empty());
     }
 
+    // What diverged may have come to any number: it takes no part in the colours.
+    void colourIsOfFlightsThatEndedAsMeant()
+    {
+        StudyMap map = gridOf(3, 1, [](double x, double) { return x; });
+        map.points[2].outcome = FlightOutcome::Stopped;
+        map.points[2].value = 1e30;
+        const auto span = valueSpan(map);
+        QVERIFY(span);
+        QCOMPARE(span->least, 0.0);
+        QCOMPARE(span->largest, 1.0);
+        for (StudyMap::Point& point : map.points)
+            point.outcome = FlightOutcome::Stopped;
+        QVERIFY(!valueSpan(map));
+    }
+
     void levelsAreRound()
     {
         const StudyMap map = gridOf(2, 1, [](double x, double) { return 37.0 + 89.0 * x; });
@@ -171,12 +186,25 @@ private slots:
         QCOMPARE(map.points[1].outcome, FlightOutcome::Missing);
         QCOMPARE(map.points[3].outcome, FlightOutcome::Stopped);
         QCOMPARE(map.points[5].outcome, FlightOutcome::Held);
-        const StudyTally tally = tallyOf(*opened, rows);
+        const StudyTally tally = tallyOf(flights);
         QCOMPARE(tally.flown, std::size_t(11));
         QCOMPARE(tally.stopped, std::size_t(1));
     }
 
     // --- what somebody points at ----------------------------------------------------------------
+
+    // A limit of tearing is in the unit of the rule that it belongs to.
+    void unitsAreThoseOfTheThing()
+    {
+        Scene scene;
+        Material cord;
+        cord.name = "cord";
+        cord.tearRule = TearRule::Force;
+        scene.items.push_back({takeId(scene), cord});
+        QCOMPARE(unitOf(scene, "cord.tearLimit"), std::string("N"));
+        QCOMPARE(unitOf(scene, "settings.gravity"), std::string("m/s\u00b2"));
+        QCOMPARE(unitOf(scene, "none.mass"), std::string());
+    }
 
     // By name where that finds it again, by id where another item has the name, or it is an
     // element.
@@ -255,6 +283,8 @@ private slots:
         QVERIFY2(std::abs(length - 3.5) < 1e-12, qPrintable(QString::number(length)));
         QCOMPARE(made->settings.airDensity, 1.1);
         QCOMPARE(*sceneWith(rope, {}), rope);
+        QCOMPARE(unitOf(rope, name + ".built.length"), std::string("m"));
+        QCOMPARE(unitOf(rope, name + ".built.lenght"), std::string());
     }
 
     void whatCannotBeBuiltIsNamed_data()

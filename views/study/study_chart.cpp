@@ -3,9 +3,9 @@
 // are graphs, one for each of some shades, since a graph has one colour.
 #include "study/study_chart.h"
 
-#include "document/words.h"
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
+#include "study/shown_value.h"
 
 #include <QEvent>
 #include <qcustomplot.h>
@@ -36,31 +36,24 @@ QCPColorGradient colours()
     return gradient;
 }
 
-// The span of what is finite of it, with some room where all are alike, or from 0 to 1.
-template <typename Read>
-QCPRange spanOf(const StudyMap& map, const Read& read)
+// With some room where all are alike, or from 0 to 1 where there is none.
+QCPRange rangeOf(const std::optional<ValueSpan>& span)
 {
-    double least = std::numeric_limits<double>::infinity();
-    double largest = -least;
-    for (const StudyMap::Point& point : map.points)
-        if (const double value = read(point); std::isfinite(value)) {
-            least = std::min(least, value);
-            largest = std::max(largest, value);
-        }
-    if (!(least <= largest))
+    if (!span)
         return {0.0, 1.0};
-    const double room = least < largest ? 0.0 : std::max(1e-12, 0.05 * std::abs(least));
-    return {least - room, largest + room};
+    const double room =
+        span->least < span->largest ? 0.0 : std::max(1e-12, 0.05 * std::abs(span->least));
+    return {span->least - room, span->largest + room};
 }
 
-QCPRange valuesOf(const StudyMap& map)
+QCPRange placesOf(const StudyMap& map, double StudyMap::Point::*axis)
 {
-    return spanOf(map, [](const StudyMap::Point& point) { return point.value; });
-}
-
-QString fourDigits(double number)
-{
-    return compactNumber(QString::number(number, 'g', 4).toDouble());
+    std::optional<ValueSpan> span;
+    if (!map.points.empty()) {
+        const auto [least, largest] = std::ranges::minmax(map.points, {}, axis);
+        span = ValueSpan{least.*axis, largest.*axis};
+    }
+    return rangeOf(span);
 }
 
 // Values of a grid at its columns, as many as have room.
@@ -69,10 +62,7 @@ QSharedPointer<QCPAxisTicker> gridTicker(const std::vector<std::string>& labels,
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     const std::size_t every = 1 + (labels.size() - 1) / std::size_t(std::max(1, most));
     for (std::size_t i = 0; i < labels.size(); i += every) {
-        bool isNumber = false;
-        const double number = QString::fromStdString(labels[i]).toDouble(&isNumber);
-        ticker->addTick(double(i),
-                        isNumber ? fourDigits(number) : QString::fromStdString(labels[i]));
+        ticker->addTick(double(i), shownValue(labels[i]));
     }
     return ticker;
 }
@@ -165,12 +155,12 @@ void StudyChart::show(const StudyMap& map, const QString& reading)
 
 double StudyChart::heightOf(const StudyMap::Point& point) const
 {
-    return hasHeights() ? point.value : point.y;
+    return hasHeights() ? point.shown() : point.y;
 }
 
 void StudyChart::drawAxes()
 {
-    const QCPRange values = valuesOf(m_map);
+    const QCPRange values = rangeOf(valueSpan(m_map));
     QCPAxis& x = *m_plot->xAxis;
     QCPAxis& y = *m_plot->yAxis;
     x.setLabel(QString::fromStdString(m_map.x.title));
@@ -195,9 +185,9 @@ void StudyChart::drawAxes()
                               ? QCPRange(0.9 * span.lower, 1.1 * span.upper)
                               : withAir(span));
         };
-        fit(x, spanOf(m_map, [](const StudyMap::Point& point) { return point.x; }));
+        fit(x, placesOf(m_map, &StudyMap::Point::x));
         if (!hasHeights())
-            fit(y, spanOf(m_map, [](const StudyMap::Point& point) { return point.y; }));
+            fit(y, placesOf(m_map, &StudyMap::Point::y));
     }
     if (hasHeights())
         y.setRange(withAir(values));
@@ -217,27 +207,27 @@ void StudyChart::drawCells()
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
             m_cells->data()->setCell(column, row,
-                                     m_map.points[std::size_t(row * columns + column)].value);
+                                     m_map.points[std::size_t(row * columns + column)].shown());
     m_cells->setDataRange(m_scale->dataRange());
 }
 
 void StudyChart::drawPoints()
 {
     const bool areCells = m_cells->visible();
-    const QCPRange values = valuesOf(m_map);
+    const QCPRange values = rangeOf(valueSpan(m_map));
     std::vector<QVector<double>> x(shadeCount), y(shadeCount);
     QVector<double> tornX, tornY, crossX, crossY, doubtX, doubtY;
     for (const StudyMap::Point& point : m_map.points) {
         const double height = heightOf(point);
         if (point.outcome == FlightOutcome::Stopped) {
-            crossX << point.x; // at the bottom where it has no value
+            crossX << point.x; // at the bottom, as it has no height
             crossY << (std::isfinite(height) ? height : m_plot->yAxis->range().lower);
         }
         if (point.isInaccurate && std::isfinite(height)) {
             doubtX << point.x;
             doubtY << height;
         }
-        if (areCells || !std::isfinite(point.value))
+        if (areCells || !std::isfinite(point.shown()))
             continue;
         const double share = (point.value - values.lower) / values.size();
         const auto shade = std::size_t(std::clamp(int(share * shadeCount), 0, shadeCount - 1));
@@ -349,7 +339,7 @@ void StudyChart::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     drawAxes();
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    mark(m_marked); // draws it again
 }
 
 } // namespace ripstop

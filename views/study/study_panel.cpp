@@ -8,6 +8,7 @@
 #include "document/words.h"
 #include "io/whole_file.h"
 #include "scene/path.h"
+#include "study/point_scene.h"
 #include "study/study_form.h"
 #include "study/study_table.h"
 #include "study/study_view.h"
@@ -50,10 +51,12 @@ QString timeText(double seconds)
 
 } // namespace
 
-StudyPanel::StudyPanel(Document& document, Recordings& recordings, QWidget* parent)
+StudyPanel::StudyPanel(Document& document, Recordings& recordings, std::function<bool()> saveDesign,
+                       QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_recordings(recordings)
+    , m_saveDesign(std::move(saveDesign))
     , m_pages(new QStackedLayout(this))
     , m_title(new QLabel)
     , m_form(new StudyForm)
@@ -180,8 +183,7 @@ QString StudyPanel::state() const { return m_state->text(); }
 QString StudyPanel::unitOf(const StudyVariable& variable) const
 {
     const Scene& scene = m_runner.study() ? m_runner.study()->scene : m_document.scene();
-    const auto place = findPlace(scene, variable.paths.front());
-    return place ? text(place->property->unit) : QString();
+    return QString::fromStdString(ripstop::unitOf(scene, variable.paths.front()));
 }
 
 void StudyPanel::startNew()
@@ -263,32 +265,6 @@ bool StudyPanel::isOfTheDesign() const
 
 // --- running ------------------------------------------------------------------------------------
 
-// A study flies the design as its file has it.
-bool StudyPanel::saveDesign()
-{
-    if (!m_document.file().isEmpty() && !m_document.isModified())
-        return true;
-    const auto answer = QMessageBox::question(
-        this, tr("Save the design?"),
-        tr("A study flies the design as it is saved. Save the changes to %1 now?")
-            .arg(m_document.displayName()),
-        QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Save);
-    if (answer != QMessageBox::Save)
-        return false;
-    QString file = m_document.file();
-    if (file.isEmpty())
-        file = QFileDialog::getSaveFileName(this, tr("Save the design"),
-                                            m_document.displayName() + ".ripstop.json",
-                                            tr("Scenes (*.ripstop.json)"));
-    if (file.isEmpty())
-        return false;
-    if (const auto failure = m_document.save(file)) {
-        QMessageBox::warning(this, tr("Cannot save the design"), translated(failure->message));
-        return false;
-    }
-    return true;
-}
-
 // Beside the design, and never a file that is there.
 QString StudyPanel::freeName() const
 {
@@ -308,7 +284,7 @@ bool StudyPanel::saveStudy()
     Study study = m_form->study();
     QString file = m_file;
     if (file.isEmpty()) {
-        if (!saveDesign())
+        if (!m_saveDesign())
             return false;
         file = freeName();
         study.scene = QFileInfo(m_document.file()).fileName().toStdString();
@@ -333,7 +309,7 @@ void StudyPanel::run()
         return;
     }
     const bool isOfOpen = m_runner.study() && !m_isEdited;
-    if (isOfTheDesign() && !saveDesign())
+    if (isOfTheDesign() && m_document.isModified() && !m_saveDesign())
         return;
     if (!isOfOpen && !saveStudy())
         return;
@@ -452,12 +428,8 @@ void StudyPanel::saveTable()
                                                       tr("Tables (*.csv)"));
     if (file.isEmpty())
         return;
-    LedgerRows rows;
-    for (std::size_t i = 0; i < m_runner.flights().size(); ++i)
-        if (const FlightResult* flight = m_runner.flights()[i])
-            rows.emplace(m_runner.study()->key(i), *flight);
-    if (const auto failure =
-            replaceFile(pathOf(file), studyTable(*m_runner.study(), rows), Flush::ToDisk))
+    if (const auto failure = replaceFile(
+            pathOf(file), studyTable(*m_runner.study(), m_runner.flights()), Flush::ToDisk))
         QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
     else
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));

@@ -32,7 +32,10 @@ class StudyPanel final : public QWidget
     Q_OBJECT
 
 public:
-    StudyPanel(Document& document, Recordings& recordings, QWidget* parent = nullptr);
+    //   saveDesign  sees to it that the design is in a file of its own as it is; false when the
+    //               user does not want that
+    StudyPanel(Document& document, Recordings& recordings, std::function<bool()> saveDesign,
+               QWidget* parent = nullptr);
 
     // Varies this property, in the study that is shown or in a new one of the open design.
     void study(const Property& property, const std::vector<Id>& ids,
@@ -61,7 +64,6 @@ private:
     QWidget* emptyPage();
     QWidget* formSide();
     void startNew();
-    bool saveDesign();
     bool saveStudy();
     QString freeName() const;
     bool isOfTheDesign() const; // the study that is shown
@@ -75,6 +77,7 @@ private:
 
     Document& m_document;
     Recordings& m_recordings;
+    std::function<bool()> m_saveDesign;
     QStackedLayout* m_pages;
     QLabel* m_title;
     StudyForm* m_form;

@@ -157,15 +157,6 @@ void StudyRunner::watch(std::size_t point)
     });
 }
 
-StudyTally StudyRunner::tally() const
-{
-    StudyTally tally;
-    for (const FlightResult* flight : m_flights)
-        if (flight)
-            tally.add(*flight);
-    return tally;
-}
-
 double StudyRunner::secondsLeft() const
 {
     if (m_task != Task::Flying || m_done == 0)

@@ -41,7 +41,7 @@ public:
 
     const OpenedStudy* study() const { return m_study.get(); } // null: none is open
     const StudyFlights& flights() const { return m_flights; }  // of its points
-    StudyTally tally() const;                                  // of all that are flown
+    StudyTally tally() const { return tallyOf(m_flights); }
     double secondsLeft() const; // while flying, as far as can be told; else not a number
 
 signals:

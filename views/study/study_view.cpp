@@ -4,6 +4,7 @@
 
 #include "document/words.h"
 #include "plots/chart_picture.h"
+#include "study/shown_value.h"
 #include "study/study_chart.h"
 
 #include <QComboBox>
@@ -36,11 +37,10 @@ QString outcomeText(const FlightResult& flight)
 {
     if (flight.endedEarly())
         return StudyView::tr("Ended early at %1 s: %2")
-            .arg(QLocale().toString(flight.time, 'g', 4), translated(flight.whyEarly()));
+            .arg(fourDigits(flight.time), translated(flight.whyEarly()));
     if (flight.torn > 0)
         return StudyView::tr("Tore at %1 s, at a load of %2.")
-            .arg(QLocale().toString(flight.firstTear, 'g', 4),
-                 QLocale().toString(flight.firstTearLoad, 'g', 4));
+            .arg(fourDigits(flight.firstTear), fourDigits(flight.firstTearLoad));
     return StudyView::tr("Held.");
 }
 
@@ -124,7 +124,7 @@ QString StudyView::valuesOf(const OpenedStudy& study, std::size_t point)
         bool isNumber = false;
         const double number = QString::fromStdString(values[v]).toDouble(&isNumber);
         all << QStringLiteral("%1 %2").arg(QString::fromStdString(study.study.variables[v].name),
-                                           isNumber ? QLocale().toString(number, 'g', 4)
+                                           isNumber ? fourDigits(number)
                                                     : QString::fromStdString(values[v]));
     }
     return all.join(QStringLiteral(", "));
@@ -244,8 +244,7 @@ void StudyView::describe(qlonglong point)
         const double value =
             readingOf(*flight, std::size_t(std::max(0, m_reading->currentIndex())));
         if (std::isfinite(value))
-            text +=
-                tr("%1 is %2. ").arg(m_reading->currentText(), QLocale().toString(value, 'g', 4));
+            text += tr("%1 is %2. ").arg(m_reading->currentText(), fourDigits(value));
         text += outcomeText(*flight);
         if (!flight->inaccurate.empty())
             text += ' ' + translated(flight->inaccurate);
