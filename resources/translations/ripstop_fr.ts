@@ -8562,8 +8562,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
-        <source>Save</source>
-        <translation>Enregistrer</translation>
+        <source>Save the table or the picture</source>
+        <translation>Enregistrer le tableau ou l'image</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>

@@ -36,13 +36,13 @@ QCPColorGradient colours()
     return gradient;
 }
 
-// With some room where all are alike, or from 0 to 1 where there is none.
+// With some room where all are alike, or from 0 to 1 where there is nothing.
 QCPRange rangeOf(const std::optional<ValueSpan>& span)
 {
     if (!span)
         return {0.0, 1.0};
-    const double room =
-        span->least < span->largest ? 0.0 : std::max(1e-12, 0.05 * std::abs(span->least));
+    const double size = std::abs(span->least);
+    const double room = span->least < span->largest ? 0.0 : size > 0.0 ? 0.05 * size : 1.0;
     return {span->least - room, span->largest + room};
 }
 

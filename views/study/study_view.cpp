@@ -3,6 +3,7 @@
 #include "study/study_view.h"
 
 #include "document/words.h"
+#include "icons/icon.h"
 #include "plots/chart_picture.h"
 #include "study/shown_value.h"
 #include "study/study_chart.h"
@@ -29,7 +30,7 @@ QComboBox* narrowBox(const QString& name)
     box->setAccessibleName(name);
     box->setToolTip(name);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(10);
+    box->setMinimumContentsLength(4);
     return box;
 }
 
@@ -81,7 +82,9 @@ StudyView::StudyView(QWidget* parent)
 
 QWidget* StudyView::axesLine()
 {
-    m_save->setText(tr("Save"));
+    m_save->setIcon(icon(QStringLiteral("save")));
+    m_save->setToolTip(tr("Save the table or the picture"));
+    m_save->setAccessibleName(m_save->toolTip());
     m_save->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(m_save);
     menu->addAction(tr("&Table (CSV)…"), this, &StudyView::tableWanted);
@@ -156,7 +159,8 @@ void StudyView::fillChoices()
     QStringList readings;
     for (const std::string& one : readingsOf(*m_study))
         readings << QString::fromStdString(one);
-    fill(*m_reading, readings, 0);
+    const int torn = int(readings.size()) - 1; // how many tore says most where nothing is measured
+    fill(*m_reading, readings, m_study->headings.empty() ? torn : 0);
     QStringList variables;
     for (const StudyVariable& variable : m_study->study.variables)
         variables << QString::fromStdString(variable.name);
