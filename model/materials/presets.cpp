@@ -2,7 +2,8 @@
 // 1. The library is a text in the program, made of resources/materials.json by the build, and is
 //    read once. That it can be read is tested (tests/model/test_materials_file.cpp).
 // 2. The settable properties are the physical ones, apart from densities. A preset that is silent
-//    about one of them sets its default, so that no number of the preset before it stays.
+//    about one of them sets its default, so that no number of the preset before it stays. A
+//    material that tears by its strengths goes on to do so, as the preset brings them.
 // 3. presetEdit() sets them all and changes the density only where both the old and the new are
 //    known, because weighing needs both (weigh.h).
 #include "materials/presets.h"
@@ -38,23 +39,23 @@ const std::vector<const Property*>& settable()
     return properties;
 }
 
-// What the preset makes of a property.
-const Value& valueOf(const Preset& preset, const Property& property)
+// What the preset makes of a property of a material.
+Value valueFor(const Material& material, const Preset& preset, const Property& property)
 {
+    if (isOneOf<&Material::tearRule>(property) && isByStrength(material.tearRule))
+        return property.get(&material);
     const PresetNumber* number = findNumber(preset, property);
     return number ? number->value : property.initial;
 }
 
 bool isAlike(const Material& material, const Preset& preset)
 {
-    const auto has = [&](const Property& property, const Value& value) {
-        return property.get(&material) == value;
+    const auto has = [&](const Property& property) {
+        return property.get(&material) == valueFor(material, preset, property);
     };
-    return std::ranges::all_of(
-               settable(),
-               [&](const Property* property) { return has(*property, valueOf(preset, *property)); })
+    return std::ranges::all_of(settable(), [&](const Property* property) { return has(*property); })
            && std::ranges::all_of(preset.values, [&](const PresetNumber& number) {
-                  return has(*findProperty(Kind::Material, number.key), number.value);
+                  return has(*findProperty(Kind::Material, number.key));
               });
 }
 
@@ -145,7 +146,8 @@ Result<PresetEdit> presetEdit(const Scene& scene, const std::vector<GivenPreset>
         SetValues values{property, {}, {}};
         for (const GivenPreset& one : given) {
             values.targets.push_back(one.material);
-            values.values.push_back(valueOf(*one.preset, *property));
+            values.values.push_back(
+                valueFor(*findItem<Material>(scene, one.material), *one.preset, *property));
         }
         result.edit.changes.push_back({std::move(values)});
     }

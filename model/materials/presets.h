@@ -1,8 +1,9 @@
 // The materials that the program knows, and how one of them is given to a material of a scene.
 //
 // A preset sets the physical numbers of a material (isPhysical()) and leaves its name, colour and
-// air law alone; what it does not know gets its default. Where the material says what density its
-// particles were given, they are weighed anew.
+// air law alone; what it does not know gets its default. A material that tears by its strengths
+// then does so by those of the preset. Where the material says what density its particles were
+// given, they are weighed anew.
 #pragma once
 
 #include "base/result.h"

@@ -265,6 +265,24 @@ private slots:
     }
 
     // Whatever came before, a material with a preset is what the preset makes of a new one.
+    void whatTearsByStrengthGoesOnToDoSo()
+    {
+        Scene scene = *build(*findBuilder("rope"), {{"segments", 4}});
+        const std::vector<Id> cord = materialsOf(scene);
+        const Material& material = *findItem<Material>(scene, cord.front());
+        for (const std::string rule : {"strength", "energy"}) {
+            (void)apply(scene, *assignment(scene, material.name + ".tearRule=" + rule));
+            const TearRule before = material.tearRule;
+            QVERIFY(isByStrength(before));
+            for (const char* name : {"dyneema_1", "liros_ltc80"}) {
+                const Preset& preset = **findPreset(name);
+                (void)apply(scene, presetEdit(scene, preset, cord)->edit);
+                QCOMPARE(material.tearRule, before);
+                QCOMPARE(presetOf(material), &preset);
+            }
+        }
+    }
+
     void presetSetsWhatAnyPresetSets()
     {
         const Scene scene = *build(*findBuilder("rope"), {{"segments", 4}});
