@@ -31,5 +31,6 @@ void addWeigh(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
 void addMap(CLI::App& app, Command& chosen);
 void addFit(CLI::App& app, Command& chosen);
+void addCompletions(CLI::App& app, Command& chosen); // of all that were added before
 
 } // namespace ripstop

@@ -30,6 +30,7 @@ int call(int argc, char** argv)
     CLI::App app("Ripstop without a window: build, inspect, fly and export fabric that flies.",
                  "ripstop-cli");
     app.set_version_flag("--version", "ripstop-cli " RIPSTOP_VERSION);
+    app.set_help_all_flag("--help-all", "Print the help of all commands and exit");
     app.require_subcommand(1);
     app.footer("Examples:\n"
                "  ripstop-cli build delta_kite span=1.8 wind=8 -o small.ripstop.json\n"
@@ -66,6 +67,7 @@ int call(int argc, char** argv)
     addMap(app, chosen);
     addFit(app, chosen);
     addVerify(app, chosen);
+    addCompletions(app, chosen);
 
     if (argc > 1 && argv[1][0] != '-')
         if (const auto message = unknownCommand(app, argv[1]))
