@@ -215,7 +215,7 @@ private slots:
         const QString forged = m_folder.filePath("forged.ripstop-run");
         write(forged, QByteArray::fromStdString(fileOf(blocks)));
 
-        const long before = peakMemory();
+        [[maybe_unused]] const long before = peakMemory();
         QElapsedTimer clock;
         clock.start();
         std::string said;
