@@ -3,6 +3,7 @@
 // machine, read from /proc, with what the build says about the compiler; and the memory of this
 // process.
 #include "bench/report.h"
+#include "base/program_version.h"
 
 #include <cmath>
 #include <cstdio>
@@ -109,7 +110,7 @@ Json machine()
 #else
             {"build", "with checks: figures mean little"},
 #endif
-            {"version", RIPSTOP_VERSION}};
+            {"version", programVersion()}};
 }
 
 std::string machineText(const Json& machine)

@@ -218,7 +218,7 @@ void addBuilders(CLI::App& app, Command& chosen)
     CLI::App* command =
         app.add_subcommand("builders", "List the designs, or the parameters of one of them.");
     const auto options = std::make_shared<BuildersOptions>();
-    command->add_option("NAME", options->name, "One of " + names(", "));
+    command->add_option("BUILDER", options->name, "One of " + names(", "));
     command->add_flag("--json", options->json, "Print one JSON object");
     command->footer("Examples:\n"
                     "  ripstop-cli builders\n"

@@ -1,3 +1,4 @@
+#include "base/program_version.h"
 #include "cli/commands.h"
 #include "scene/property.h"
 #include "terminal/output.h"
@@ -29,7 +30,7 @@ int call(int argc, char** argv)
 {
     CLI::App app("Ripstop without a window: build, inspect, fly and export fabric that flies.",
                  "ripstop-cli");
-    app.set_version_flag("--version", "ripstop-cli " RIPSTOP_VERSION);
+    app.set_version_flag("--version", "ripstop-cli " + programVersion());
     app.set_help_all_flag("--help-all", "Print the help of all commands and exit");
     app.require_subcommand(1);
     app.footer("Examples:\n"

@@ -5,6 +5,7 @@
 // the list of orders. The file is replaced by a whole one at most once a second, so that a sweep
 // that is interrupted leaves all runs that were done. prepare() refuses what it can before the
 // first run.
+#include "base/program_version.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
@@ -117,7 +118,7 @@ std::vector<Layout::Probe> probesOf(const Rows& rows)
 
 std::string header(const Sweep& sweep, const std::vector<Layout::Probe>& probes)
 {
-    std::string text = "# Ripstop " RIPSTOP_VERSION "; each run until ";
+    std::string text = "# Ripstop " + programVersion() + "; each run until ";
     appendNumber(text, sweep.options.seconds);
     text += " s";
     if (sweep.options.from > 0.0) {

@@ -4,6 +4,7 @@
 // In order: tables and JSON of results; runAll(), which ends at Ctrl-C with what it has; the
 // comparisons with measured data, where nothing can fail; and the cases, whose failures decide the
 // exit code.
+#include "base/program_version.h"
 #include "cli/commands.h"
 #include "terminal/terminal.h"
 #include "verify/case.h"
@@ -82,7 +83,7 @@ void printJson(const std::vector<CaseResult>& results, std::size_t failed, doubl
     Json list = Json::array();
     for (const CaseResult& result : results)
         list.push_back(jsonOf(result));
-    print({{"version", RIPSTOP_VERSION},
+    print({{"version", programVersion()},
            {"cases", results.size()},
            {"hold", results.size() - failed},
            {"do_not_hold", failed},
@@ -175,7 +176,7 @@ int compare(const VerifyOptions& options)
         Json list = Json::array();
         for (const ReferenceResult& result : results)
             list.push_back(jsonOf(result));
-        print({{"version", RIPSTOP_VERSION}, {"references", std::move(list)}});
+        print({{"version", programVersion()}, {"references", std::move(list)}});
     } else if (!results.empty()) {
         printReferences(results);
     }

@@ -7,6 +7,7 @@
 // 1 or 2 before a window appears. Document, selection, player and window stand on the stack in
 // this order, so that the window goes first. What asks questions of its own (kept work, a mesh, an
 // action) is queued until the event loop runs.
+#include "base/program_version.h"
 #include "document/document.h"
 #include "document/measurement.h"
 #include "document/player.h"
@@ -94,7 +95,8 @@ int main(int argc, char** argv)
 {
     QCoreApplication::setApplicationName("Ripstop");
     QCoreApplication::setOrganizationName("Ripstop");
-    QCoreApplication::setApplicationVersion(RIPSTOP_VERSION);
+    QGuiApplication::setDesktopFileName("org.ripstop.Ripstop"); // resources/desktop
+    QCoreApplication::setApplicationVersion(QString::fromStdString(programVersion()));
     QString error;
     if (asksOnly(argc, argv)) {
         const QCoreApplication asked(argc, argv);

@@ -2,6 +2,7 @@
 // probes are written on the way, then scene, controls, recording, readme and last the manifest.
 // Only then is it zipped and renamed into its place. What a killed process leaves is one folder
 // beside the target, which the next one removes.
+#include "base/program_version.h"
 #include "bundle/bundle.h"
 
 #include "base/hash_text.h"
@@ -363,7 +364,7 @@ private:
                 return failure;
 
         Manifest manifest = m_findings->manifest();
-        manifest.program = "ripstop " RIPSTOP_VERSION;
+        manifest.program = "ripstop " + programVersion();
         manifest.title = scene.settings.title;
         manifest.from = from;
         manifest.timeStep = scene.settings.timeStep;

@@ -4,6 +4,7 @@
 // a decimal point. CsvWriter looks at its stream when it opens and when it closes: a stream that
 // has failed stays failed, so close() still tells of a write that went wrong in between.
 #include "io/csv.h"
+#include "base/program_version.h"
 
 #include "base/hash_text.h"
 #include "io/json_text.h"
@@ -68,7 +69,7 @@ std::optional<double> cellNumber(std::string_view cell)
 
 std::string csvHeader(const Frame& first, const Certificate* certificate)
 {
-    std::string header = "# Ripstop " RIPSTOP_VERSION + stateOf(first) + "time (s)";
+    std::string header = "# Ripstop " + programVersion() + stateOf(first) + "time (s)";
     const auto add = [&](const std::string& name, const std::string& unit) {
         header += ',' + csvCell(withUnit(name, unit));
     };

@@ -2,6 +2,7 @@
 // stretch that names it, then the reader, which goes block by block and keeps what came before any
 // damage. Packed frames stay in the file until they are asked for.
 #include "io/recording_file.h"
+#include "base/program_version.h"
 
 #include "base/bytes.h"
 #include "io/recording_bounds.h"
@@ -102,7 +103,7 @@ public:
     {
         m_out.write(firstLine.data(), std::streamsize(firstLine.size()));
         ripstop::write(m_out, BlockKind::About,
-                       written(About{"ripstop " RIPSTOP_VERSION, m_recording.name(),
+                       written(About{"ripstop " + programVersion(), m_recording.name(),
                                      m_recording.origin(), m_recording.bookmarks()}));
         if (const auto certificate = m_recording.certificate())
             ripstop::write(m_out, BlockKind::Certificate,
