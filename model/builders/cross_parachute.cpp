@@ -8,7 +8,13 @@
 //
 // As for the round parachute, the coefficient of the cloth is chosen such that the drag is that of
 // the wanted CD0 on the area of the cloth S0 = w^2 (1 + 4 arms); Knacke 1991, table 5-1, has 0.60
-// to 0.85 for cross parachutes.
+// to 0.85 for cross parachutes. With `pressure` the air in the canopy holds it open and nothing
+// else does, and the drag is what comes of it.
+//
+// Of a cloth that one can buy (builders/craft_materials.h), panels carry the canopy, which is cut
+// flat as two strips that cross: the warp along each. Along the rim of the square and of the arms
+// runs a hem, of the cloth turned in or of a tape, that pulls only.
+#include "builders/craft_materials.h"
 #include "builders/descent.h"
 #include "builders/designs.h"
 #include "builders/statics.h"
@@ -26,6 +32,10 @@ constexpr Parameter parameters[]{
     {"arms",          "",       1,      0, 2,     false, "Length of an arm over the width; 0 is a square canopy without arms."},
     {"droop",         "deg",    50,     0, 80,    false, "How far the arms hang below level when the canopy is full."},
     {"drag",          "",       0.7,    0.05, 2,  false, "Drag coefficient CD0 on the area of the cloth; 0.60 to 0.85 for cross parachutes."},
+    {"cloth",         "",       0,      0, canopyCloths.size() - 1, true, "Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.", "Materials", canopyCloths, 1},
+    {"cord",          "",       0,      0, canopyCords.size() - 1, true, "What the suspension lines are made of; ideal ones never stretch.", {}, canopyCords, 1},
+    {"tape",          "",       0,      0, canopyTapes.size() - 1, true, "What is sewn along the edges of square and arms of real cloth; a hem is the cloth itself, turned in twice over 1 cm.", {}, canopyTapes},
+    {"grain",         "deg",    0,      0, 90,    false, "Angle between the warp of real cloth and the arm that it is cut for; 45 is a bias cut."},
     {"payload",       "kg",     10,     0.01, 2000, false, "Mass that hangs below.", "Load and lines"},
     {"line_length",   "m",      4,      0.2, 60,  false, "From the canopy to the payload; made longer where it would not reach."},
     {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
@@ -36,6 +46,7 @@ constexpr Parameter parameters[]{
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
     {"altitude",      "m",      100,    1, 5000,  false, "Height of the payload at the start.", "Start"},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
+    {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient: the air fills the canopy and holds it open, without a frame, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy"},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
 };
 // clang-format on
@@ -43,20 +54,31 @@ constexpr Parameter parameters[]{
 // Rows of n + 1 nodes; row 0 may be nodes that are there already.
 using Rows = std::vector<std::vector<Id>>;
 
-void weave(Network& network, const Rows& rows, Id cloth, Id seams, bool withFirst)
+// Rods of the cloth, and of what is sewn along the rim of a square or an arm.
+struct Threads
 {
+    Id seams;
+    Id hem;
+    Resists resists;
+};
+
+void weave(Network& network, const Rows& rows, Id cloth, const Threads& threads, bool withFirst)
+{
+    const auto rod = [&](Id from, Id to, bool onRim) {
+        network.rod(from, to, onRim ? threads.hem : threads.seams, threads.resists);
+    };
     for (std::size_t row = withFirst ? 0 : 1; row < rows.size(); ++row)
         for (std::size_t i = 1; i < rows[row].size(); ++i)
-            network.rod(rows[row][i - 1], rows[row][i], seams);
+            rod(rows[row][i - 1], rows[row][i], row == 0 || row + 1 == rows.size());
     for (std::size_t row = 1; row < rows.size(); ++row)
         for (std::size_t i = 0; i < rows[row].size(); ++i) {
-            network.rod(rows[row - 1][i], rows[row][i], seams);
+            rod(rows[row - 1][i], rows[row][i], i == 0 || i + 1 == rows[row].size());
             if (i == 0)
                 continue;
             const Id a = rows[row - 1][i - 1], b = rows[row - 1][i];
             const Id c = rows[row][i - 1], d = rows[row][i];
             const bool leansRight = (row + i) % 2 == 0; // no grain
-            network.rod(leansRight ? a : b, leansRight ? d : c, seams);
+            rod(leansRight ? a : b, leansRight ? d : c, false);
             network.panel(a, leansRight ? d : b, c, cloth);
             network.panel(leansRight ? a : c, b, d, cloth);
         }
@@ -68,7 +90,8 @@ struct Canopy
     std::vector<Id> corners; // of the square, where it has arms
 };
 
-Canopy addCanopy(Network& network, const Parameters& p, const CanopyMaterials& materials)
+Canopy addCanopy(Network& network, const Parameters& p, const CanopyMaterials& materials,
+                 const Threads& threads)
 {
     const int n = int(p.at("cells"));
     const int m = int(std::lround(p.at("arms") * n));
@@ -88,7 +111,7 @@ Canopy addCanopy(Network& network, const Parameters& p, const CanopyMaterials& m
             square.back().push_back(
                 node((double(i) / n - 0.5) * width, 0.0, (double(row) / n - 0.5) * width));
     }
-    weave(network, square, materials.cloth[0], materials.seams, true);
+    weave(network, square, materials.cloth[0], threads, true);
 
     // the four sides, in turn, each as one sees it from outside from left to right
     std::vector<Id> ends;
@@ -113,7 +136,7 @@ Canopy addCanopy(Network& network, const Parameters& p, const CanopyMaterials& m
             }
             rows.push_back(std::move(next));
         }
-        weave(network, rows, materials.cloth[1], materials.seams, false);
+        weave(network, rows, materials.cloth[1], threads, false);
         const std::vector<Id>& last = rows.back();
         // corners of a square canopy belong to two sides
         ends.insert(ends.end(), last.begin() + (m == 0 ? 1 : 0), last.end());
@@ -137,41 +160,104 @@ Id addPayload(Network& network, const std::vector<Id>& ends, const Parameters& p
     const Id payload = network.particle({0.0, level - depth, 0.0}, p.at("payload"));
     for (const Id end : ends) {
         const double own = (network.position(end) - network.position(payload)).norm();
-        network.line(end, payload, int(p.at("line_segments")), own * p.at("line_density"),
+        network.line(end, payload, int(p.at("line_segments")), own * cordDensity(p, canopyChoices),
                      materials.lines, Resists::Tension);
     }
     return payload;
 }
 
+// Cuts and weighs real cloth: the warp along the strip, or at the grain to it. The strip along z
+// goes through the square.
+void cut(Network& network, const Parameters& p, Id hem)
+{
+    const double half = 0.5 * p.at("width");
+    const double grain = p.at("grain") * degrees;
+    network.carryByPanels([&](const Vec3& middle) -> Vec3 {
+        const bool alongX = std::abs(middle.x()) > half;
+        const Vec3 along = alongX ? Vec3::UnitX() : Vec3::UnitZ();
+        const Vec3 across = alongX ? Vec3::UnitZ() : Vec3::UnitX();
+        return std::cos(grain) * along + std::sin(grain) * across;
+    });
+    network.addFabricMass(clothDensity(p, canopyChoices));
+    network.addLinkMass(hem, hemDensity(p, canopyChoices));
+}
+
+// Bends a flat square into a bowl, along whose meridians the cloth is as long as it is cut, so that
+// it has an inside that air can fill.
+void hollow(Network& network, const std::vector<Id>& canopy, double width)
+{
+    const double radius = width / 1.2; // m: the corners hang down by 0.85 rad
+    for (const Id id : canopy) {
+        Vec3& place = network.row(id).position;
+        const double reach = std::hypot(place.x(), place.z());
+        const double polar = reach / radius;
+        const double share = reach > 0.0 ? radius * std::sin(polar) / reach : 1.0;
+        place = {share * place.x(), radius * (std::cos(polar) - 1.0), share * place.z()};
+    }
+}
+
+// The hubs that hold the canopy open where no air does.
+std::vector<Id> addHubs(Network& network, const std::vector<Id>& held, const Parameters& p,
+                        const CanopyMaterials& materials)
+{
+    const std::vector<Id> hubs =
+        addHoop(network, held, 0.75 * p.at("width"), p.at("hoop_mass"), materials.frame);
+    // no cloth runs from arm to arm, so they could all come in together as the hubs part
+    network.rod(hubs[0], hubs[1], materials.frame);
+    return hubs;
+}
+
 Result<Scene> buildCrossParachute(const Parameters& p)
 {
     Scene scene;
+    const bool holdsAir = p.at("pressure") > 0.0;
+    const bool isReal = !isIdeal(p, "cloth");
     scene.settings.title = p.at("arms") > 0.0 ? "Cruciform parachute" : "Square parachute";
-    scene.settings.notes = "The payload sinks at sqrt(2 m g / (rho CD0 S0)).";
+    scene.settings.notes = holdsAir ? "Air fills the canopy and holds it open."
+                                    : "The payload sinks at sqrt(2 m g / (rho CD0 S0)).";
     addGround(scene);
     addWind(scene, Vec3(p.at("wind"), 0.0, 0.0));
     const CanopyMaterials materials =
         addCanopyMaterials(scene, p, {}, {"square", "arms"}, {"#f2f0e6", "#3a7ca5"});
 
+    CraftMaterials craft;
+    craft.cloth = {materials.cloth.begin(), materials.cloth.end()};
+    craft.seams = {materials.seams};
+    craft.lines = {materials.lines};
+    if (isReal) {
+        Material hem;
+        hem.name = "hem";
+        hem.color = "#b5b2a6";
+        craft.hems = {addItem(scene, hem)};
+    }
+
     Network network(scene, "parachute");
-    const auto [ends, corners] = addCanopy(network, p, materials);
+    const Threads threads{materials.seams, isReal ? craft.hems[0] : materials.seams,
+                          isReal || holdsAir ? Resists::Tension : Resists::Both};
+    const auto [ends, corners] = addCanopy(network, p, materials, threads);
     std::vector<Id> canopy;
     for (const Particle& row : network.part().particles)
         canopy.push_back(row.id);
     std::vector<Id> held = ends;
     held.insert(held.end(), corners.begin(), corners.end());
-    network.addFabricMass(p.at("fabric"));
+    if (isReal)
+        cut(network, p, craft.hems[0]);
+    else
+        network.addFabricMass(p.at("fabric"));
+    if (holdsAir && corners.empty())
+        hollow(network, canopy, p.at("width"));
     const int n = int(p.at("cells"));
     const double arms = std::lround(p.at("arms") * n) > 0 ? p.at("arms") : 0.0;
-    setDrag(scene, network, materials.cloth, p.at("drag"),
-            p.at("width") * p.at("width") * (1.0 + 4.0 * arms));
+    if (!holdsAir)
+        setDrag(scene, network, materials.cloth, p.at("drag"),
+                p.at("width") * p.at("width") * (1.0 + 4.0 * arms));
     const std::size_t firstLineRod = network.part().links.size();
     const Id payload = addPayload(network, ends, p, materials);
     const Id lineRod = network.part().links[firstLineRod].id;
-    const std::vector<Id> hubs =
-        addHoop(network, held, 0.75 * p.at("width"), p.at("hoop_mass"), materials.frame);
-    // no cloth runs from arm to arm, so they could all come in together as the hubs part
-    network.rod(hubs[0], hubs[1], materials.frame);
+    std::vector<Id> hubs;
+    if (!holdsAir)
+        hubs = addHubs(network, held, p, materials);
+    makeOf(p, craft, scene, network, canopyChoices);
     network.place(Eigen::Matrix3d::Identity(),
                   {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
                   {0.0, 0.0 - p.at("speed"), 0.0}); // no -0 in files
@@ -181,11 +267,14 @@ Result<Scene> buildCrossParachute(const Parameters& p)
     addGroup(scene, "rigidity", hubs);
     addGroup(scene, "payload", {payload});
     const Id part = network.finish("cross_parachute", p);
+    std::get<Part>(*findItem(scene, part)).canopyPressure = p.at("pressure");
     addProbe(scene, "height", Quantity::PositionY, payload);
     addProbe(scene, "sink rate", Quantity::SinkRate, part);
     addProbe(scene, "air force", Quantity::AirForce, part);
     addProbe(scene, "line tension", Quantity::Tension, lineRod);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
+    if (holdsAir)
+        addProbe(scene, "canopy pressure", Quantity::CanopyPressure, part);
     return scene;
 }
 

@@ -33,15 +33,6 @@
 namespace ripstop {
 namespace {
 
-constexpr auto canopyCloths = std::to_array<std::string_view>(
-    {"ideal", "mil_7020_1", "mil_7020_3", "mil_44378_1", "mil_498_g", "f111", "silicone_nylon",
-     "skytex_32", "ripstop_075"});
-constexpr auto canopyCords = std::to_array<std::string_view>(
-    {"ideal", "mil_5040_1", "mil_5040_3", "liros_tsl90", "liros_tsl190", "dyneema_1", "dyneema_2"});
-constexpr auto canopyTapes =
-    std::to_array<std::string_view>({"hem", "mil_5625_050", "mil_5625_056", "mil_5625_100"});
-constexpr CraftChoices choices{canopyCloths, {}, canopyCords, canopyTapes};
-
 // clang-format off
 constexpr Parameter parameters[]{
     {"rings",         "",       6,      2, 40,    true,  "Rings of fabric from the apex to the skirt.", "Mesh"},
@@ -202,8 +193,8 @@ Id addPayload(Network& network, const std::vector<Id>& skirt, const Parameters& 
     const double depth = std::sqrt(length * length - edge.x() * edge.x());
     const Id payload = network.particle({0.0, edge.y() - depth, 0.0}, p.at("payload"));
     for (const Id node : skirt)
-        network.line(node, payload, int(p.at("line_segments")), length * cordDensity(p, choices),
-                     materials.lines, Resists::Tension);
+        network.line(node, payload, int(p.at("line_segments")),
+                     length * cordDensity(p, canopyChoices), materials.lines, Resists::Tension);
     return payload;
 }
 
@@ -224,9 +215,9 @@ void layCloth(Scene& scene, Network& network, const Canopy& canopy, const Parame
     craft.hems.push_back(addItem(scene, sewn));
     canopy.weave(network, materials, craft.hems[0], craft.hems[1]);
     canopy.cut(network, p.at("grain") * degrees);
-    network.addFabricMass(clothDensity(p, choices));
+    network.addFabricMass(clothDensity(p, canopyChoices));
     for (const Id hem : craft.hems)
-        network.addLinkMass(hem, hemDensity(p, choices));
+        network.addLinkMass(hem, hemDensity(p, canopyChoices));
 }
 
 Result<Scene> buildParachute(const Parameters& p)
@@ -263,7 +254,7 @@ Result<Scene> buildParachute(const Parameters& p)
                        materials.frame);
     if (p.at("equal_masses") > 0.0)
         network.shareMass(payload);
-    makeOf(p, craft, scene, network, choices);
+    makeOf(p, craft, scene, network, canopyChoices);
     network.place(Eigen::Matrix3d::Identity(),
                   {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
                   {0.0, 0.0 - p.at("speed"), 0.0}); // no -0 in files

@@ -8113,13 +8113,43 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="start_page.cpp"/>
+        <source>A gust tears a big delta. Tune the joint efficiency of its border until it holds.</source>
+        <translation>Une rafale déchire un grand delta. Réglez la tenue des coutures du bord.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>A ripstop kite rides gusts. Tune the strength of its line until it snaps.</source>
+        <translation>Du ripstop dans les rafales. Réglez la résistance de la ligne jusqu’à ce qu’elle rompe.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
         <source>A scene from a file</source>
         <translation>Une scène depuis un fichier</translation>
     </message>
     <message>
         <location filename="start_page.cpp"/>
+        <source>A slit runs across ripstop. Tune the strength of the cloth, and when it runs.</source>
+        <translation>Une fente court à travers le ripstop. Réglez la résistance de la toile, et quand elle court.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
         <source>An empty scene, to draw or import into</source>
         <translation>Une scène vide, pour dessiner ou importer</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Begin with</source>
+        <translation>Pour commencer</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Cloth flutters in 8 m/s of wind. Tune the wind, and how much the cloth weighs.</source>
+        <translation>Une toile flotte dans un vent de 8 m/s. Réglez le vent et le poids de la toile.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Dacron on aluminium, and you steer. Tune how stiff its tubes are.</source>
+        <translation>Du Dacron sur de l’aluminium, et vous pilotez. Réglez la raideur des tubes.</translation>
     </message>
     <message>
         <location filename="start_page.cpp"/>
@@ -8138,8 +8168,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="start_page.cpp"/>
+        <source>Folded nylon fills with air. Tune the strength of the cords that brake it.</source>
+        <translation>Du nylon plié se remplit d’air. Réglez la résistance des suspentes qui le freinent.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
         <source>Import…</source>
         <translation>Importer…</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>More samples</source>
+        <translation>Autres exemples</translation>
     </message>
     <message>
         <location filename="start_page.cpp"/>
@@ -8165,11 +8205,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="start_page.cpp"/>
         <source>Ripstop</source>
         <translation>Ripstop</translation>
-    </message>
-    <message>
-        <location filename="start_page.cpp"/>
-        <source>Samples</source>
-        <translation>Exemples</translation>
     </message>
     <message>
         <location filename="start_page.cpp"/>
@@ -8697,6 +8732,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>10 kg under a cross of 1.1 oz nylon sink at 4.9 m/s; a frame stands for the air that holds the arms apart. Tune the porosity of square and arms, 0 to 0.2: the more air the cloth lets through, the faster it sinks.</source>
+        <translation>10 kg sous une croix de nylon de 1,1 oz descendent à 4,9 m/s ; un cadre remplace l’air qui tient les bras écartés. Réglez la porosité du carré et des bras (square, arms), de 0 à 0,2 : plus la toile laisse passer d’air, plus il descend vite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>5 kg hang from three rows of lines. A table has the lengths, row by row from the riser up.</source>
         <translation>5 kg pendent à trois rangées de brins. Un tableau en a les longueurs, rangée par rangée depuis l’élévateur.</translation>
     </message>
@@ -8727,13 +8767,13 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>A canopy in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop.</source>
-        <translation>Une voilure en plis est jetée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau.</translation>
+        <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 18 N as the canopy opens, 11 N as it sinks, and breaks at 445 N. The dock Loads lists what is nearest to breaking.</source>
+        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 18 N à l’ouverture, 11 N en descente, et rompt à 445 N. Le panneau Charges liste ce qui est le plus près de rompre.</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 18 N as the canopy opens, 11 N as it sinks, and breaks at 445 N. The dock Loads lists what is nearest to breaking.</source>
-        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 18 N à l’ouverture, 11 N en descente, et rompt à 445 N. Le panneau Charges liste ce qui est le plus près de rompre.</translation>
+        <source>A canopy of F-111, which lets next to no air through, is thrown down in folds at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the porosity of odd and even gores, 0 to 0.1: cloth that leaks opens later and sinks faster.</source>
+        <translation>Une voilure de F-111, qui ne laisse presque pas passer d’air, est lancée pliée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la porosité des fuseaux impairs et pairs (odd gores, even gores), de 0 à 0,1 : une toile qui fuit s’ouvre plus tard et descend plus vite.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8922,8 +8962,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>A wing of 14 m2 and aspect ratio 7.2 with the vortex law, at the mass and the drag of a modern hang glider. Such wings reach a glide ratio of 13.4 (USHPA-4); the plate law reaches half of it. The keys shift the pilot.</source>
-        <translation>Une aile de 14 m2 et d’allongement 7,2 avec la loi tourbillonnaire, à la masse et à la traînée d’un deltaplane moderne. De telles ailes atteignent une finesse de 13,4 (USHPA-4) ; la loi de la plaque en atteint la moitié. Les touches déportent le pilote.</translation>
+        <source>A wing of 14 m2 and aspect ratio 7.2 of laminate and tubes of 62 mm with the vortex law, at the mass and the drag of a modern hang glider. It glides at 11, such wings reach 13.4 (USHPA-4), and the plate law half of it. The keys shift the pilot. Tune the flexural rigidity of the tube, 500 to 20 000 N m2: with soft leading edges it swings up and down.</source>
+        <translation>Une aile de 14 m2 et d’allongement 7,2, en laminé sur des tubes de 62 mm, avec la loi tourbillonnaire, à la masse et à la traînée d’un deltaplane moderne. Elle plane à 11, de telles ailes atteignent 13,4 (USHPA-4), et la loi des plaques la moitié. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 20 000 N m2 : avec des bords d’attaque souples, elle ondule de haut en bas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9129,6 +9169,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Angle at which a section of a wing with the vortex law meets the air when it has lost half of its circulation; 15 for a wing, 10 to 12 for a thin sail.</source>
         <translation>Angle auquel un profil d’une aile à loi tourbillonnaire rencontre l’air quand il a perdu la moitié de sa circulation ; 15 pour une aile, 10 à 12 pour une voile mince.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle between the warp of real cloth and the arm that it is cut for; 45 is a bias cut.</source>
+        <translation>Angle entre la chaîne d’une vraie toile et le bras pour lequel elle est coupée ; 45 est une coupe en biais.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9469,6 +9514,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.</source>
         <translation>Coefficient de pression de voilure, 1,68 pour les voilures rondes : l’air remplit la voilure et la tient ouverte, sans cerceau, et la traînée est ce qui en sort ; 0 laisse chaque panneau rencontrer le vent seul.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Canopy pressure coefficient: the air fills the canopy and holds it open, without a frame, and the drag is what comes of it; 0 has each panel meet the wind by itself.</source>
+        <translation>Coefficient de pression de voilure : l’air remplit la voilure et la tient ouverte, sans cadre, et la traînée est ce qui en sort ; 0 laisse chaque panneau rencontrer le vent seul.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9857,6 +9907,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Delta kite (ideal, the paper's)</source>
+        <translation>Cerf-volant delta (idéal, celui de l’article)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Density</source>
         <translation>Masse surfacique</translation>
     </message>
@@ -9959,11 +10014,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Dominico N20D</source>
         <translation>Dominico N20D</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.</source>
-        <translation>Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10574,6 +10624,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Hang glider</source>
         <translation>Deltaplane</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hang glider (ideal, the paper's)</source>
+        <translation>Deltaplane (idéal, celui de l’article)</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12487,8 +12542,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>Round parachute</source>
-        <translation>Parachute rond</translation>
+        <source>Round parachute (ideal, the paper's)</source>
+        <translation>Parachute rond (idéal, celui de l’article)</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13177,13 +13232,23 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>The paper's parachute</source>
-        <translation>Le parachute de l’article</translation>
+        <source>The paper's network of rods that never stretch. Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.</source>
+        <translation>Le réseau de l’article, de tiges qui ne s’étirent jamais. Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté.</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>The payload sinks at sqrt(2 m g / (rho CD0 S0)).</source>
-        <translation>La charge descend à sqrt(2 m g / (rho CD0 S0)).</translation>
+        <source>The paper's network of rods that never stretch. The payload sinks at sqrt(2 m g / (rho CD0 S0)).</source>
+        <translation>Le réseau de l’article, de tiges qui ne s’étirent jamais. La charge descend à sqrt(2 m g / (rho CD0 S0)).</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The paper's network of rods that never stretch. Up dives, Down slows, Left and Right roll: the keys shift the pilot's weight inside the control rods. The pilot hangs where the wing trims at the wanted speed, and the flight starts in that trim.</source>
+        <translation>Le réseau de l’article, de tiges qui ne s’étirent jamais. Haut pique, Bas ralentit, Gauche et Droite inclinent : les touches déportent le poids du pilote à l’intérieur des tiges de commande. Le pilote pend là où l’aile s’équilibre à la vitesse voulue, et le vol commence dans cet équilibre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The paper's parachute</source>
+        <translation>Le parachute de l’article</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13347,11 +13412,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>Up dives, Down slows, Left and Right roll: the keys shift the pilot's weight inside the control rods. The pilot hangs where the wing trims at the wanted speed, and the flight starts in that trim.</source>
-        <translation>Haut pique, Bas ralentit, Gauche et Droite inclinent : les touches déportent le poids du pilote à l’intérieur des tiges de commande. Le pilote pend là où l’aile s’équilibre à la vitesse voulue, et le vol commence dans cet équilibre.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Upper end of the axis of values, in the unit of the curves; empty fits what is in sight.</source>
         <translation>Haut de l'axe des valeurs, dans l'unité des courbes ; vide, il s'ajuste à ce qui est visible.</translation>
     </message>
@@ -13509,6 +13569,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>What is measured.</source>
         <translation>Ce qui est mesuré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What is sewn along the edges of square and arms of real cloth; a hem is the cloth itself, turned in twice over 1 cm.</source>
+        <translation>Ce qui est cousu le long des bords du carré et des bras d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -298,8 +298,9 @@ private slots:
         qInfo("mouth %.3f of D0", widest);
     }
 
-    // It starts shut at 20 m/s, opens within some 8 D0 = 40 m (Knacke 1991, n of flat circular
-    // canopies), stays open without a hoop and sinks with CD0 of 0.65 to 0.85 (validation 4.8).
+    // Of F-111, it starts in folds at 20 m/s, opens within some 8 D0 = 40 m (Knacke 1991, n of flat
+    // circular canopies), stays open without a hoop and sinks with CD0 of 0.65 to 0.85
+    // (validation 4.8).
     void canopyOpensWithoutHoop()
     {
         const auto scene = readScene(SCENES_DIR "/parachute_opening.ripstop.json");

@@ -1,114 +1,22 @@
 // Parachutes and hang gliders of what one can buy: what they weigh, how their cloth is cut, and
-// that a canopy of cloth stays open by the air in it alone.
+// what it pulls with.
 //
-// Stages: what is offered is in the library; masses summed up by hand; the grain of every panel;
-// then flights: the canopy that collapses, the one that opens and how it sinks, cloths, the glider.
-#include "builders/builder.h"
+// Stages: what is offered is in the library; masses summed up by hand; the grain of every panel.
+// test_real_flights.cpp flies them.
 #include "check/check.h"
 #include "check/strength_gaps.h"
 #include "derived/cloth_area.h"
 #include "derived/flat_panel.h"
-#include "materials/presets.h"
-#include "model/sample_scenes.h"
+#include "model/real_craft.h"
 #include "registered_test.h"
 
 #include <QtTest>
 
 #include <cmath>
-#include <numbers>
 
 namespace ripstop::test_real_craft {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-
-const Parameter& parameterOf(const char* builder, std::string_view key)
-{
-    for (const Parameter& parameter : findBuilder(builder)->parameters)
-        if (parameter.key == key)
-            return parameter;
-    qFatal("no such parameter");
-}
-
-double choice(const char* builder, std::string_view key, std::string_view name)
-{
-    const auto& choices = parameterOf(builder, key).choices;
-    const auto found = std::ranges::find(choices, name);
-    if (found == choices.end())
-        qFatal("no such choice");
-    return double(found - choices.begin());
-}
-
-Scene craft(const char* builder, const Parameters& given)
-{
-    const Result<Scene> scene = build(*findBuilder(builder), given);
-    if (!scene)
-        qFatal("%s", scene.message().english().c_str());
-    return *scene;
-}
-
-// 24 gores of 1.1 oz nylon on cords of 445 N, 2.5 m from the apex to the skirt.
-Parameters nylon(const Parameters& more = {})
-{
-    Parameters given{{"cloth", choice("parachute", "cloth", "mil_7020_1")},
-                     {"cord", choice("parachute", "cord", "mil_5040_1")},
-                     {"hoop", 0.0}};
-    for (const auto& [key, value] : more)
-        given[key] = value;
-    return given;
-}
-
-Parameters dacron(const Parameters& more = {})
-{
-    Parameters given{{"cloth", choice("hang_glider", "cloth", "dacron_sail")},
-                     {"spars", choice("hang_glider", "spars", "aluminium_50")}};
-    for (const auto& [key, value] : more)
-        given[key] = value;
-    return given;
-}
-
-double number(const char* preset, std::string_view key)
-{
-    for (const PresetNumber& number : (*findPreset(preset))->values)
-        if (number.key == key)
-            return std::get<double>(number.value);
-    qFatal("%s has no %s", preset, std::string(key).c_str());
-}
-
-double massOf(const Part& part)
-{
-    double mass = 0.0;
-    for (const Particle& particle : part.particles)
-        mass += particle.mass;
-    return mass;
-}
-
-std::vector<Id> members(const Scene& scene, std::string_view group)
-{
-    for (const Entry& entry : scene.items)
-        if (const Group* found = std::get_if<Group>(&entry.item); found && found->name == group)
-            return found->members;
-    qFatal("no such group");
-}
-
-// Twice the mean distance of the skirt from its middle, m.
-double mouthWidth(const Scene& scene, const Simulation& simulation)
-{
-    const std::vector<Id> skirt = members(scene, "skirt");
-    const System& system = simulation.system();
-    std::vector<Vec3> places;
-    for (std::size_t i = 0; i < system.key.size(); ++i)
-        if (std::ranges::find(skirt, Id{system.key[i]}) != skirt.end())
-            places.push_back(simulation.state().position[i]);
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& place : places)
-        middle += place / double(places.size());
-    double width = 0.0;
-    for (const Vec3& place : places)
-        width += 2.0 * (place - middle).norm() / double(places.size());
-    return width;
-}
 
 double middleOfGore(double x, double z) // rad, of 24
 {
@@ -147,6 +55,7 @@ private slots:
         QTest::newRow("canopy") << QByteArray("parachute") << QByteArray("cloth") << cloth;
         QTest::newRow("lines") << QByteArray("parachute") << QByteArray("cord") << line;
         QTest::newRow("tapes") << QByteArray("parachute") << QByteArray("tape") << line;
+        QTest::newRow("cross") << QByteArray("cross_parachute") << QByteArray("cloth") << cloth;
         QTest::newRow("sail") << QByteArray("hang_glider") << QByteArray("cloth") << cloth;
         QTest::newRow("tubes") << QByteArray("hang_glider") << QByteArray("spars")
                                << QList<QByteArray>{"axialStiffness", "flexuralRigidity",
@@ -210,6 +119,27 @@ private slots:
                                 + number("mil_5040_1", "linearDensity") * S * 4.5 + 25.0;
         QVERIFY2(std::abs(massOf(partOf(scene)) / expected - 1.0) < 1e-9,
                  qPrintable(QString("%1 of %2 kg").arg(massOf(partOf(scene))).arg(expected)));
+    }
+
+    // Five squares of side w; hems along the rim of the square, 4 w, and of each arm, two sides and
+    // an end, 12 w; a line of 4 m from the corners of the arms, shorter ones from nodes nearer to
+    // the axis.
+    void crossWeighsWhatItIsMadeOf()
+    {
+        constexpr double width = 2.0;
+        const Scene scene =
+            craft("cross_parachute", nylonCross({{"width", width}, {"pressure", 1.68}}));
+        const Part& part = partOf(scene);
+        double lines = 0.0;
+        for (const Link& link : part.links)
+            if (findItem<Material>(scene, link.material)->name == "suspension line")
+                lines += link.restLength;
+        QVERIFY(lines > 28.0 * 3.8 && lines < 28.0 * 4.0);
+        const double density = number("mil_7020_1", "arealDensity");
+        const double expected = density * 5.0 * width * width + 0.02 * density * 16.0 * width
+                                + number("mil_5040_1", "linearDensity") * lines + 10.0;
+        QVERIFY2(std::abs(massOf(part) / expected - 1.0) < 1e-9,
+                 qPrintable(QString("%1 of %2 kg").arg(massOf(part)).arg(expected)));
     }
 
     // Cloth by its area, three tubes by their lengths.
@@ -320,6 +250,10 @@ private slots:
         QTest::addColumn<QByteArray>("builder");
         QTest::addColumn<Parameters>("given");
         QTest::newRow("parachute") << QByteArray("parachute") << nylon({{"pressure", 1.68}});
+        QTest::newRow("cross parachute")
+            << QByteArray("cross_parachute") << nylonCross({{"pressure", 1.68}});
+        QTest::newRow("square parachute")
+            << QByteArray("cross_parachute") << nylonCross({{"pressure", 1.68}, {"arms", 0.0}});
         QTest::newRow("hang glider") << QByteArray("hang_glider") << dacron();
     }
 
@@ -336,161 +270,6 @@ private slots:
         for (const Entry& entry : scene.items)
             if (const Material* material = std::get_if<Material>(&entry.item))
                 QVERIFY2(material->name != "seams", "nothing is made of it");
-    }
-
-    // Cloth pushes nothing. Without air in it, nothing holds the mouth of a canopy open against the
-    // lines, which pull it in; full, it is 0.67 D0 = 3.35 m wide (Knacke 1991, table 5-1).
-    void collapsesWithoutPressure()
-    {
-        const Scene scene = craft("parachute", nylon({{"altitude", 1000.0}}));
-        Simulation simulation(*compile(scene));
-        QVERIFY(mouthWidth(scene, simulation) > 3.2);
-        QVERIFY(simulation.runUntil(10.0));
-        const double width = mouthWidth(scene, simulation);
-        qInfo("%.2f m wide after 10 s, sinks at %.2f m/s", width, probe(simulation, "sink rate"));
-        QVERIFY(width < 0.5 * 3.35);
-    }
-
-    // The air opens it from folds, and holds it as wide as round canopies are: 0.67 to 0.70 D0
-    // (Knacke 1991, table 5-1). It sinks with CD0 of 0.65 to 0.85 (validation 4.8).
-    void opensWithPressure()
-    {
-        const Scene scene = craft(
-            "parachute",
-            nylon({{"pressure", 1.68}, {"mouth", 0.1}, {"speed", 20.0}, {"altitude", 1000.0}}));
-        Simulation simulation(*compile(scene));
-        QVERIFY(mouthWidth(scene, simulation) < 0.2 * 5.0);
-        QVERIFY(simulation.runUntil(10.0));
-        double width = 0.0, rate = 0.0;
-        constexpr int looks = 100;
-        for (int look = 0; look < looks; ++look) {
-            QVERIFY(simulation.runUntil(10.0 + 0.1 * look));
-            width += mouthWidth(scene, simulation) / looks;
-            rate += probe(simulation, "sink rate") / looks;
-        }
-        const double mass = massOf(partOf(scene));
-        const double drag = 2.0 * mass * 9.80665 / (1.225 * 0.25 * pi * 25.0 * rate * rate);
-        qInfo("%.2f m wide, sinks at %.2f m/s: CD0 %.3f", width, rate, drag);
-        QVERIFY(width > 0.6 * 5.0 && width < 0.75 * 5.0);
-        QVERIFY(drag > 0.65 && drag < 0.85);
-        QVERIFY(simulation.frame()->accuracy.isMet());
-    }
-
-    // The same craft cut into other panels, and a canopy into other gores, sinks as fast; how far
-    // the leading edges of the glider give way outside of its cross tube takes finer panels.
-    void sinksAlikeAtAnyResolution_data()
-    {
-        QTest::addColumn<QByteArray>("builder");
-        QTest::addColumn<Parameters>("coarse");
-        QTest::addColumn<Parameters>("usual");
-        QTest::addColumn<Parameters>("fine");
-        QTest::addColumn<double>("within");
-        QTest::newRow("parachute")
-            << QByteArray("parachute") << Parameters{{"rings", 4.0}, {"sectors", 12.0}}
-            << Parameters{{"rings", 6.0}, {"sectors", 24.0}}
-            << Parameters{{"rings", 12.0}, {"sectors", 48.0}} << 0.01;
-        QTest::newRow("hang glider")
-            << QByteArray("hang_glider") << Parameters{{"segments", 12.0}}
-            << Parameters{{"segments", 8.0}} << Parameters{{"segments", 16.0}} << 0.03;
-    }
-
-    void sinksAlikeAtAnyResolution()
-    {
-        QFETCH(QByteArray, builder);
-        const auto sinkRate = [&](const Parameters& mesh) {
-            Parameters given = builder == "parachute" ? nylon({{"pressure", 1.68}}) : dacron();
-            given["altitude"] = 1000.0;
-            given.insert(mesh.begin(), mesh.end());
-            Simulation simulation(*compile(craft(builder, given)));
-            constexpr int looks = 100; // the glider swings a little
-            double rate = 0.0;
-            for (int look = 0; look < looks; ++look) {
-                if (!simulation.runUntil(15.0 + 0.1 * look))
-                    qFatal("it did not fly");
-                rate += probe(simulation, "sink rate") / looks;
-            }
-            return rate;
-        };
-        QFETCH(Parameters, coarse);
-        QFETCH(Parameters, usual);
-        QFETCH(Parameters, fine);
-        QFETCH(double, within);
-        const double finest = sinkRate(fine);
-        for (const Parameters& mesh : {coarse, usual}) {
-            const double rate = sinkRate(mesh);
-            qInfo("%.4f m/s, the finest %.4f", rate, finest);
-            QVERIFY(std::abs(rate / finest - 1.0) < within);
-        }
-    }
-
-    void everyClothFlies_data()
-    {
-        QTest::addColumn<QByteArray>("builder");
-        QTest::addColumn<double>("cloth");
-        for (const char* builder : {"parachute", "hang_glider"}) {
-            const auto& choices = parameterOf(builder, "cloth").choices;
-            for (std::size_t i = 1; i < choices.size(); ++i)
-                QTest::addRow("%s, %s", builder, std::string(choices[i]).c_str())
-                    << QByteArray(builder) << double(i);
-        }
-    }
-
-    void everyClothFlies()
-    {
-        QFETCH(QByteArray, builder);
-        QFETCH(double, cloth);
-        const bool isCanopy = builder == "parachute";
-        Parameters given = isCanopy ? nylon({{"pressure", 1.68}}) : dacron();
-        given["cloth"] = cloth;
-        Simulation simulation(*compile(craft(builder, given)));
-        QVERIFY(simulation.runUntil(5.0));
-        QVERIFY(simulation.frame()->accuracy.isMet());
-        QVERIFY(probe(simulation, "max strain") < 0.05);
-    }
-
-    // Leading edges bend outside of the cross tube; softer ones more.
-    void tubesBend()
-    {
-        const auto rise = [](double rigidity) { // m, of the tips over the ends of the cross tube
-            Scene scene = craft("hang_glider", dacron({{"altitude", 400.0}}));
-            for (Entry& entry : scene.items)
-                if (Material* tube = std::get_if<Material>(&entry.item);
-                    tube && tube->name == "tube")
-                    tube->flexuralRigidity = rigidity;
-            const std::vector<Id> edge = members(scene, "leading edge"); // nose, left side, right
-            Simulation simulation(*compile(scene));
-            if (!simulation.runUntil(10.0))
-                qFatal("it did not fly");
-            const auto at = [&](std::size_t node) -> Vec3 {
-                const auto& keys = simulation.system().key;
-                const auto found = std::ranges::find(keys, std::uint32_t(edge[node]));
-                return simulation.state().position[std::size_t(found - keys.begin())];
-            };
-            const std::size_t rows = (edge.size() - 1) / 2, held = 2 * rows / 3;
-            const Vec3 straight = at(0) + 1.5 * (at(held) - at(0)); // where a stiff tip would be
-            return (at(rows) - straight).norm();
-        };
-        const double stiff = rise(2e6), soft = rise(1500.0);
-        qInfo("tips bend %.3f and %.3f m", stiff, soft);
-        QVERIFY(soft > 3.0 * stiff);
-    }
-
-    // As the ideal one does: a glide ratio above 2, held (validation 4.7).
-    void gliderGlides()
-    {
-        Simulation simulation(*compile(craft("hang_glider", dacron({{"altitude", 400.0}}))));
-        QVERIFY(simulation.runUntil(15.0));
-        double lowest = 1e9, highest = 0.0;
-        for (double time = 15.0; time <= 30.0; time += 0.5) {
-            QVERIFY(simulation.runUntil(time));
-            lowest = std::min(lowest, probe(simulation, "glide ratio"));
-            highest = std::max(highest, probe(simulation, "glide ratio"));
-        }
-        qInfo("glide ratio %.2f to %.2f at %.2f m/s, strain %.4f", lowest, highest,
-              probe(simulation, "speed"), probe(simulation, "max strain"));
-        QVERIFY(lowest > 2.0);
-        QVERIFY(highest / lowest < 1.2);
-        QVERIFY(simulation.frame()->accuracy.isMet());
     }
 };
 

@@ -17,7 +17,7 @@ constexpr int cardWidth = 224;     // px
 constexpr int pictureHeight = 126; // px, 16 : 9
 constexpr int margin = 10;         // px
 constexpr double corner = 6.0;     // px
-constexpr int noteLines = 2;
+constexpr int noteLines = 3;
 
 } // namespace
 

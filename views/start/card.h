@@ -1,5 +1,5 @@
-// A card of a gallery, for one design: a picture, a title and two lines about it. The whole card is
-// a button. The start page shows the samples as cards. Only the window's thread uses it.
+// A card of a gallery, for one design: a picture, a title and three lines about it. The whole card
+// is a button. The start page shows the samples as cards. Only the window's thread uses it.
 #pragma once
 
 #include <QAbstractButton>

@@ -19,6 +19,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace ripstop {
 namespace {
 
@@ -165,24 +167,53 @@ QWidget* StartPage::builders()
     return whole;
 }
 
+Card* StartPage::card(const QString& file, const QString& sentence)
+{
+    const Sample sample = readSample(file);
+    auto* card = new Card(translated(sample.title.toStdString()),
+                          sentence.isEmpty() ? translated(sample.note.toStdString()) : sentence,
+                          pictureOf(sample), QStringLiteral("part"));
+    card->setObjectName(QStringLiteral("sample ") + sample.name);
+    connect(card, &Card::clicked, this, [this, file] { emit openRequested(file); });
+    return card;
+}
+
+// What shows best what the program is for comes first, each with what one will see and may tune.
 QWidget* StartPage::samples()
 {
+    const std::pair<const char*, QString> impressive[]{
+        {"kite_in_gusts", tr("A ripstop kite rides gusts. Tune the strength of its line until it "
+                             "snaps.")},
+        {"last_gust", tr("A gust tears a big delta. Tune the joint efficiency of its border until "
+                         "it holds.")},
+        {"nylon_parachute", tr("Folded nylon fills with air. Tune the strength of the cords that "
+                               "brake it.")},
+        {"dacron_glider", tr("Dacron on aluminium, and you steer. Tune how stiff its tubes are.")},
+        {"tearing_sheet", tr("A slit runs across ripstop. Tune the strength of the cloth, and when "
+                             "it runs.")},
+        {"flag", tr("Cloth flutters in 8 m/s of wind. Tune the wind, and how much the cloth "
+                    "weighs.")}};
+    const QStringList files = sampleFiles();
+    auto* first = new CardGrid;
+    QStringList others = files;
+    for (const auto& [name, sentence] : impressive)
+        for (const QString& file : files)
+            if (QFileInfo(file).baseName() == QLatin1String(name)) {
+                first->add(card(file, sentence));
+                others.removeOne(file);
+            }
+    auto* more = new CardGrid;
+    for (const QString& file : std::as_const(others))
+        more->add(card(file));
+
     auto* whole = new QWidget;
     auto* layout = new QVBoxLayout(whole);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heading(tr("Samples")));
-    auto* grid = new CardGrid;
-    const QStringList files = sampleFiles();
-    for (const QString& file : files) {
-        const Sample sample = readSample(file);
-        auto* card =
-            new Card(translated(sample.title.toStdString()), translated(sample.note.toStdString()),
-                     pictureOf(sample), QStringLiteral("part"));
-        card->setObjectName(QStringLiteral("sample ") + sample.name);
-        connect(card, &Card::clicked, this, [this, file] { emit openRequested(file); });
-        grid->add(card);
-    }
-    layout->addWidget(grid);
+    layout->addWidget(heading(tr("Begin with")));
+    layout->addWidget(first);
+    layout->addSpacing(14);
+    layout->addWidget(heading(tr("More samples")));
+    layout->addWidget(more);
     if (files.isEmpty()) {
         auto* none = new QLabel(tr("The folder \"scenes\" with the samples is not beside the "
                                    "program. The designs can still be built, at the left."));

@@ -11,6 +11,8 @@ class QVBoxLayout;
 
 namespace ripstop {
 
+class Card;
+
 class StartPage final : public QWidget
 {
     Q_OBJECT
@@ -32,6 +34,7 @@ private:
     QWidget* banner();
     QWidget* side();
     QWidget* samples();
+    Card* card(const QString& file, const QString& sentence = {}); // its own note without one
     QWidget* builders();
 
     QLabel* m_noRecent = nullptr;

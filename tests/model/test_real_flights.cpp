@@ -1,0 +1,196 @@
+// Parachutes and hang gliders of what one can buy fly: a canopy of cloth stays open by the air in it
+// alone, and all sink as such craft do, whatever their mesh and their cloth.
+//
+// Stages: the canopy that collapses, the one that opens, the cross; then meshes, cloths, tubes that
+// bend, the glider.
+#include "model/real_craft.h"
+#include "registered_test.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+namespace ripstop::test_real_flights {
+
+class TestRealFlights : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // Cloth pushes nothing. Without air in it, nothing holds the mouth of a canopy open against the
+    // lines, which pull it in; full, it is 0.67 D0 = 3.35 m wide (Knacke 1991, table 5-1).
+    void collapsesWithoutPressure()
+    {
+        const Scene scene = craft("parachute", nylon({{"altitude", 1000.0}}));
+        Simulation simulation(*compile(scene));
+        QVERIFY(mouthWidth(scene, simulation) > 3.2);
+        QVERIFY(simulation.runUntil(10.0));
+        const double width = mouthWidth(scene, simulation);
+        qInfo("%.2f m wide after 10 s, sinks at %.2f m/s", width, probe(simulation, "sink rate"));
+        QVERIFY(width < 0.5 * 3.35);
+    }
+
+    // The air opens it from folds, and holds it as wide as round canopies are: 0.67 to 0.70 D0
+    // (Knacke 1991, table 5-1). It sinks with CD0 of 0.65 to 0.85 (validation 4.8).
+    void opensWithPressure()
+    {
+        const Scene scene = craft(
+            "parachute",
+            nylon({{"pressure", 1.68}, {"mouth", 0.1}, {"speed", 20.0}, {"altitude", 1000.0}}));
+        Simulation simulation(*compile(scene));
+        QVERIFY(mouthWidth(scene, simulation) < 0.2 * 5.0);
+        QVERIFY(simulation.runUntil(10.0));
+        double width = 0.0, rate = 0.0;
+        constexpr int looks = 100;
+        for (int look = 0; look < looks; ++look) {
+            QVERIFY(simulation.runUntil(10.0 + 0.1 * look));
+            width += mouthWidth(scene, simulation) / looks;
+            rate += probe(simulation, "sink rate") / looks;
+        }
+        const double mass = massOf(partOf(scene));
+        const double drag = 2.0 * mass * 9.80665 / (1.225 * 0.25 * pi * 25.0 * rate * rate);
+        qInfo("%.2f m wide, sinks at %.2f m/s: CD0 %.3f", width, rate, drag);
+        QVERIFY(width > 0.6 * 5.0 && width < 0.75 * 5.0);
+        QVERIFY(drag > 0.65 && drag < 0.85);
+        QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+
+    // Cross parachutes have CD0 of 0.60 to 0.85 on the area of the cloth (Knacke 1991, table 5-1).
+    // Cloth that lets air through takes from the 0.7 that the builder is told.
+    void crossSinks()
+    {
+        const Scene scene = craft("cross_parachute", nylonCross());
+        QCOMPARE(partOf(scene).carrier, FabricKind::Panels);
+        Simulation simulation(*compile(scene));
+        QVERIFY(simulation.runUntil(10.0));
+        const double rate = probe(simulation, "sink rate");
+        const double area = 5.0 * 1.5 * 1.5;
+        const double drag = 2.0 * massOf(partOf(scene)) * 9.80665 / (1.225 * area * rate * rate);
+        qInfo("sinks at %.2f m/s: CD0 %.3f", rate, drag);
+        QVERIFY(drag > 0.60 && drag < 0.70);
+        QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+
+    // The same craft cut into other panels, and a canopy into other gores, sinks as fast; how far
+    // the leading edges of the glider give way outside of its cross tube takes finer panels.
+    void sinksAlikeAtAnyResolution_data()
+    {
+        QTest::addColumn<QByteArray>("builder");
+        QTest::addColumn<Parameters>("coarse");
+        QTest::addColumn<Parameters>("usual");
+        QTest::addColumn<Parameters>("fine");
+        QTest::addColumn<double>("within");
+        QTest::newRow("parachute")
+            << QByteArray("parachute") << Parameters{{"rings", 4.0}, {"sectors", 12.0}}
+            << Parameters{{"rings", 6.0}, {"sectors", 24.0}}
+            << Parameters{{"rings", 12.0}, {"sectors", 48.0}} << 0.01;
+        QTest::newRow("hang glider")
+            << QByteArray("hang_glider") << Parameters{{"segments", 12.0}}
+            << Parameters{{"segments", 8.0}} << Parameters{{"segments", 16.0}} << 0.03;
+    }
+
+    void sinksAlikeAtAnyResolution()
+    {
+        QFETCH(QByteArray, builder);
+        const auto sinkRate = [&](const Parameters& mesh) {
+            Parameters given = builder == "parachute" ? nylon({{"pressure", 1.68}}) : dacron();
+            given["altitude"] = 1000.0;
+            given.insert(mesh.begin(), mesh.end());
+            Simulation simulation(*compile(craft(builder, given)));
+            constexpr int looks = 100; // the glider swings a little
+            double rate = 0.0;
+            for (int look = 0; look < looks; ++look) {
+                if (!simulation.runUntil(15.0 + 0.1 * look))
+                    qFatal("it did not fly");
+                rate += probe(simulation, "sink rate") / looks;
+            }
+            return rate;
+        };
+        QFETCH(Parameters, coarse);
+        QFETCH(Parameters, usual);
+        QFETCH(Parameters, fine);
+        QFETCH(double, within);
+        const double finest = sinkRate(fine);
+        for (const Parameters& mesh : {coarse, usual}) {
+            const double rate = sinkRate(mesh);
+            qInfo("%.4f m/s, the finest %.4f", rate, finest);
+            QVERIFY(std::abs(rate / finest - 1.0) < within);
+        }
+    }
+
+    void everyClothFlies_data()
+    {
+        QTest::addColumn<QByteArray>("builder");
+        QTest::addColumn<double>("cloth");
+        for (const char* builder : {"parachute", "cross_parachute", "hang_glider"}) {
+            const auto& choices = parameterOf(builder, "cloth").choices;
+            for (std::size_t i = 1; i < choices.size(); ++i)
+                QTest::addRow("%s, %s", builder, std::string(choices[i]).c_str())
+                    << QByteArray(builder) << double(i);
+        }
+    }
+
+    void everyClothFlies()
+    {
+        QFETCH(QByteArray, builder);
+        QFETCH(double, cloth);
+        Parameters given = builder == "parachute"         ? nylon({{"pressure", 1.68}})
+                           : builder == "cross_parachute" ? nylonCross()
+                                                          : dacron();
+        given["cloth"] = cloth;
+        Simulation simulation(*compile(craft(builder, given)));
+        QVERIFY(simulation.runUntil(5.0));
+        QVERIFY(simulation.frame()->accuracy.isMet());
+        QVERIFY(probe(simulation, "max strain") < 0.05);
+    }
+
+    // Leading edges bend outside of the cross tube; softer ones more.
+    void tubesBend()
+    {
+        const auto rise = [](double rigidity) { // m, of the tips over the ends of the cross tube
+            Scene scene = craft("hang_glider", dacron({{"altitude", 400.0}}));
+            for (Entry& entry : scene.items)
+                if (Material* tube = std::get_if<Material>(&entry.item);
+                    tube && tube->name == "tube")
+                    tube->flexuralRigidity = rigidity;
+            const std::vector<Id> edge = members(scene, "leading edge"); // nose, left side, right
+            Simulation simulation(*compile(scene));
+            if (!simulation.runUntil(10.0))
+                qFatal("it did not fly");
+            const auto at = [&](std::size_t node) -> Vec3 {
+                const auto& keys = simulation.system().key;
+                const auto found = std::ranges::find(keys, std::uint32_t(edge[node]));
+                return simulation.state().position[std::size_t(found - keys.begin())];
+            };
+            const std::size_t rows = (edge.size() - 1) / 2, held = 2 * rows / 3;
+            const Vec3 straight = at(0) + 1.5 * (at(held) - at(0)); // where a stiff tip would be
+            return (at(rows) - straight).norm();
+        };
+        const double stiff = rise(2e6), soft = rise(1500.0);
+        qInfo("tips bend %.3f and %.3f m", stiff, soft);
+        QVERIFY(soft > 3.0 * stiff);
+    }
+
+    // As the ideal one does: a glide ratio above 2, held (validation 4.7).
+    void gliderGlides()
+    {
+        Simulation simulation(*compile(craft("hang_glider", dacron({{"altitude", 400.0}}))));
+        QVERIFY(simulation.runUntil(15.0));
+        double lowest = 1e9, highest = 0.0;
+        for (double time = 15.0; time <= 30.0; time += 0.5) {
+            QVERIFY(simulation.runUntil(time));
+            lowest = std::min(lowest, probe(simulation, "glide ratio"));
+            highest = std::max(highest, probe(simulation, "glide ratio"));
+        }
+        qInfo("glide ratio %.2f to %.2f at %.2f m/s, strain %.4f", lowest, highest,
+              probe(simulation, "speed"), probe(simulation, "max strain"));
+        QVERIFY(lowest > 2.0);
+        QVERIFY(highest / lowest < 1.2);
+        QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+};
+
+const RegisteredTest registered("test_real_flights", runPlain<TestRealFlights>);
+
+} // namespace ripstop::test_real_flights
+#include "test_real_flights.moc"
