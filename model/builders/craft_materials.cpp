@@ -2,6 +2,7 @@
 // function that gives their materials the numbers and takes the rods away that they replace.
 #include "builders/craft_materials.h"
 
+#include "builders/reinforcement.h"
 #include "materials/presets.h"
 
 #include <algorithm>
@@ -75,11 +76,15 @@ void turnIn(const Material& cloth, Material& hem)
     hem.jointEfficiency = cloth.jointEfficiency;
 }
 
-void makeCloth(const Preset& cloth, const Preset* tape, const CraftMaterials& materials,
-               Scene& scene, Network& network)
+void makeCloth(const Preset& cloth, const Preset* tape, const Preset* patch,
+               const CraftMaterials& materials, Scene& scene, Network& network)
 {
     const Material numbers = numbersOf(cloth);
     forEachMaterial(scene, materials.cloth, [&](Material& m) { give(m, cloth); });
+    forEachMaterial(scene, materials.patches, [&](Material& m) {
+        give(m, cloth);
+        addLayer(m, numbersOf(*patch));
+    });
     forEachMaterial(scene, materials.hems, [&](Material& m) {
         if (tape)
             give(m, *tape);
@@ -122,6 +127,18 @@ void makeLine(const Preset& cord, const CraftMaterials& materials, Scene& scene,
 }
 
 } // namespace
+
+const Preset* patchOf(const Parameters& p, const CraftChoices& from)
+{
+    return chosen(p, "patch", from.patches);
+}
+
+std::vector<Id> CraftMaterials::allCloth() const
+{
+    std::vector<Id> all = cloth;
+    all.insert(all.end(), patches.begin(), patches.end());
+    return all;
+}
 
 bool isIdeal(const Parameters& p, std::string_view parameter)
 {
@@ -168,7 +185,7 @@ void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, 
             const CraftChoices& choices)
 {
     if (const Preset* cloth = clothOf(p, choices))
-        makeCloth(*cloth, tapeOf(p, choices), materials, scene, network);
+        makeCloth(*cloth, tapeOf(p, choices), patchOf(p, choices), materials, scene, network);
     if (const Preset* spar = sparsOf(p, choices))
         makeSpars(*spar, materials, scene);
     if (const Preset* cord = cordOf(p, choices))

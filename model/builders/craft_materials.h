@@ -16,6 +16,7 @@
 
 #include "builders/builder.h"
 #include "builders/network.h"
+#include "materials/preset.h"
 
 #include <array>
 #include <vector>
@@ -31,6 +32,9 @@ inline constexpr auto sparChoices =
 inline constexpr auto cordChoices = std::to_array<std::string_view>(
     {"ideal", "dyneema_1", "dyneema_2", "liros_ltc45", "liros_ltc80", "liros_ltc120",
      "liros_ltc200", "liros_ltc400"});
+inline constexpr auto patchChoices =
+    std::to_array<std::string_view>({"none", "ripstop_050", "ripstop_075", "ripstop_150",
+                                     "teijin_d2", "surf_dacron", "dacron_sail"});
 
 // clang-format off
 inline constexpr auto materialParameters = std::to_array<Parameter>({
@@ -46,14 +50,16 @@ struct CraftChoices
     std::span<const std::string_view> cloth;
     std::span<const std::string_view> spars;
     std::span<const std::string_view> cord;
-    std::span<const std::string_view> tapes = {}; // the first is the cloth itself, turned in
+    std::span<const std::string_view> tapes = {};   // the first is the cloth itself, turned in
+    std::span<const std::string_view> patches = {}; // the first is none
 };
-inline constexpr CraftChoices kiteChoices{clothChoices, sparChoices, cordChoices};
+inline constexpr CraftChoices kiteChoices{clothChoices, sparChoices, cordChoices, {}, patchChoices};
 
 // Ids of materials of the scene; what a craft does not have stays empty.
 struct CraftMaterials
 {
     std::vector<Id> cloth;   // of panels
+    std::vector<Id> patches; // of panels that a patch covers (reinforcement.h)
     std::vector<Id> seams;   // of rods that stand for the cloth
     std::vector<Id> hems;    // of rods along its free edges, of sewn seams, and of ribbons
     std::vector<Id> spars;   // of rods that are spars
@@ -61,7 +67,12 @@ struct CraftMaterials
     std::vector<Id> wires;   // of those of the frame that are steel cables
     std::vector<Id> lines;   // of the line, and of the legs of a bridle
     std::vector<Id> doubled; // of second rods of the line
+
+    std::vector<Id> allCloth() const; // with and without patches
 };
+
+// Null where there are none.
+const Preset* patchOf(const Parameters& p, const CraftChoices& choices);
 
 bool isIdeal(const Parameters& p, std::string_view parameter);
 

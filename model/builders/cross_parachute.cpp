@@ -17,6 +17,7 @@
 #include "builders/craft_materials.h"
 #include "builders/descent.h"
 #include "builders/designs.h"
+#include "builders/reinforcement.h"
 #include "builders/statics.h"
 
 #include <array>
@@ -26,7 +27,7 @@ namespace ripstop {
 namespace {
 
 // clang-format off
-constexpr Parameter parameters[]{
+constexpr auto ownParameters = std::to_array<Parameter>({
     {"cells",         "",       6,      2, 40,    true,  "Cells along each side of the square in the middle.", "Mesh"},
     {"width",         "m",      1.5,    0.1, 20,  false, "Side of the square, and width of the arms.", "Canopy"},
     {"arms",          "",       1,      0, 2,     false, "Length of an arm over the width; 0 is a square canopy without arms."},
@@ -48,8 +49,9 @@ constexpr Parameter parameters[]{
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
     {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient: the air fills the canopy and holds it open, without a frame, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy"},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
-};
+});
 // clang-format on
+constexpr auto parameters = joined(ownParameters, patchParameters(canopyPatches, 0.2));
 
 // Rows of n + 1 nodes; row 0 may be nodes that are there already.
 using Rows = std::vector<std::vector<Id>>;
@@ -244,12 +246,16 @@ Result<Scene> buildCrossParachute(const Parameters& p)
         cut(network, p, craft.hems[0]);
     else
         network.addFabricMass(p.at("fabric"));
+    const Result<std::vector<Id>> patches = addPatches(p, held, scene, network, canopyChoices);
+    if (!patches)
+        return patches.failure();
+    craft.patches = *patches;
     if (holdsAir && corners.empty())
         hollow(network, canopy, p.at("width"));
     const int n = int(p.at("cells"));
     const double arms = std::lround(p.at("arms") * n) > 0 ? p.at("arms") : 0.0;
     if (!holdsAir)
-        setDrag(scene, network, materials.cloth, p.at("drag"),
+        setDrag(scene, network, craft.allCloth(), p.at("drag"),
                 p.at("width") * p.at("width") * (1.0 + 4.0 * arms));
     const std::size_t firstLineRod = network.part().links.size();
     const Id payload = addPayload(network, ends, p, materials);

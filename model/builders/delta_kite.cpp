@@ -13,6 +13,7 @@
 #include "builders/delta_wing.h"
 #include "builders/designs.h"
 #include "builders/kite_flight.h"
+#include "builders/reinforcement.h"
 #include "builders/statics.h"
 
 #include <algorithm>
@@ -43,7 +44,8 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"drag",         "",      0.04,   0, 0.5,   false, "Drag coefficient of sail and spars edge on, as skin friction of the sail."},
 });
 // clang-format on
-constexpr auto parameters = joined(ownParameters, materialParameters, flightParameters);
+constexpr auto parameters = joined(ownParameters, materialParameters,
+                                   patchParameters(patchChoices, 0.15), flightParameters);
 
 struct Materials
 {
@@ -110,6 +112,7 @@ struct Kite
     SailFrame frame;
     std::vector<Id> stiffeners;
     Id tow;
+    std::vector<Id> patches; // materials
 };
 
 // The tip of the keel is the tow point; its opposite side is the rear of the wing's keel line.
@@ -204,7 +207,15 @@ void addFrameMass(Network& network, const Parameters& p, const Kite& kite,
         network.row(node).mass += mass / double(spars.size());
 }
 
-Kite addKite(Network& network, const Parameters& p, const Materials& materials)
+// The nose, both tips, and where the line is tied.
+std::vector<Id> pulledAt(const SailFrame& frame, Id tow)
+{
+    const std::vector<Id>& edges = frame.leadingEdges; // the nose, the left side, the right
+    return {edges.front(), edges[edges.size() / 2], edges.back(), tow};
+}
+
+Result<Kite> addKite(Scene& scene, Network& network, const Parameters& p,
+                     const Materials& materials)
 {
     const DeltaShape shape{p.at("span"),
                            p.at("chord"),
@@ -219,7 +230,10 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
                : SailFrame::of(addSail(network, shape, int(p.at("segments")), materials.sail));
     const Id tow = addKeel(network, p, rows.keel, frame.axis, materials);
     network.addFabricMass(clothDensity(p));
-    const Kite kite{frame, addStiffeners(network, shape, frame, materials.frame), tow};
+    const Result<std::vector<Id>> patches = addPatches(p, pulledAt(frame, tow), scene, network);
+    if (!patches)
+        return patches.failure();
+    const Kite kite{frame, addStiffeners(network, shape, frame, materials.frame), tow, *patches};
     addFrameMass(network, p, kite, materials);
     if (p.at("equal_masses") > 0.0)
         network.shareMass();
@@ -236,10 +250,15 @@ Result<Scene> buildDeltaKite(const Parameters& p)
     const Materials materials = addMaterials(scene, p);
 
     Network network(scene, "kite");
-    const Kite kite = addKite(network, p, materials);
+    const Result<Kite> made = addKite(scene, network, p, materials);
+    if (!made)
+        return made.failure();
+    const Kite& kite = *made;
     launch(scene, network, p, kite.tow);
     const FlyingLine line = addFlyingLine(network, p, materials.line, kite.tow);
-    makeOf(p, craftMaterials(materials), scene, network);
+    CraftMaterials craft = craftMaterials(materials);
+    craft.patches = kite.patches;
+    makeOf(p, craft, scene, network);
 
     addGroup(scene, "leading edge", kite.frame.leadingEdges);
     addGroup(scene, "keel", {kite.frame.axis.begin() + 1, kite.frame.axis.end()});

@@ -21,7 +21,10 @@ inline constexpr auto canopyCords = std::to_array<std::string_view>(
     {"ideal", "mil_5040_1", "mil_5040_3", "liros_tsl90", "liros_tsl190", "dyneema_1", "dyneema_2"});
 inline constexpr auto canopyTapes =
     std::to_array<std::string_view>({"hem", "mil_5625_050", "mil_5625_056", "mil_5625_100"});
-inline constexpr CraftChoices canopyChoices{canopyCloths, {}, canopyCords, canopyTapes};
+inline constexpr auto canopyPatches = std::to_array<std::string_view>(
+    {"none", "mil_7020_1", "mil_7020_3", "mil_44378_1", "f111", "silicone_nylon"});
+inline constexpr CraftChoices canopyChoices{
+    canopyCloths, {}, canopyCords, canopyTapes, canopyPatches};
 
 // The normal force coefficient of the cloth that gives a canopy which sinks upright the drag
 // coefficient CD0 on the area S0, m^2. Skin friction takes its share: the force upwards is

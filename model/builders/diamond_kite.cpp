@@ -8,6 +8,7 @@
 #include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/flat_kite.h"
+#include "builders/reinforcement.h"
 #include "builders/statics.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"bridle",   "",    0.25, 0.05, 2,  false, "How far the tow point hangs below the sail, over the height of the kite; a long one lets the kite climb, and lean over and sweep to and fro."},
 });
 // clang-format on
-constexpr auto parameters =
-    joined(ownParameters, flatKiteParameters, materialParameters, flightParameters);
+constexpr auto parameters = joined(ownParameters, flatKiteParameters, materialParameters,
+                                   patchParameters(patchChoices, 0.15), flightParameters);
 
 struct Diamond
 {
@@ -95,10 +96,11 @@ FlatSail addDiamond(Network& network, const FlatMaterials& materials, const Para
     for (std::size_t i = 1; i < spine.size(); ++i)
         network.rod(spine[i - 1], spine[i], materials.spar);
 
-    FlatSail sail{spine, {}, rear.at(0, 0), shape.height, p.at("tow")};
+    FlatSail sail{spine, {}, {}, rear.at(0, 0), shape.height, p.at("tow")};
     const Id middle = front.at(n, n / 2);
     const int away = std::max(int(std::lround(0.25 * n)), 1); // of the way to the tips
     sail.legs = {front.at(n, n / 2 - away), front.at(n, n / 2 + away), rear.at(0, 0)};
+    sail.tips = {front.at(0, 0), front.at(n, 0), front.at(n, n), rear.at(0, 0)};
     for (int column = 0; column <= n; ++column)
         if (front.at(n, column) != middle)
             sail.frame.push_back(front.at(n, column));
@@ -112,13 +114,14 @@ FlatSail addDiamond(Network& network, const FlatMaterials& materials, const Para
 
 Result<Scene> buildDiamondKite(const Parameters& p)
 {
-    Scene scene = flownFlatKite(
+    Result<Scene> scene = flownFlatKite(
         p, {"diamond_kite", "Diamond kite", [&](Network& network, const FlatMaterials& materials) {
                 return addDiamond(network, materials, p);
             }});
     // One sweep goes over the rods one after the other, left before right. What it leaves of their
     // strain differs between the sides, and with 1 % left the kite hangs 6 degrees to one of them.
-    scene.settings.strainGoal = 0.1;
+    if (scene)
+        scene->settings.strainGoal = 0.1;
     return scene;
 }
 

@@ -5,6 +5,7 @@
 #include "builders/flat_kite.h"
 
 #include "builders/craft_materials.h"
+#include "builders/reinforcement.h"
 #include "builders/statics.h"
 
 #include <cmath>
@@ -93,7 +94,7 @@ std::vector<Id> addTail(Network& network, const Parameters& p, Id from, Id mater
 
 } // namespace
 
-Scene flownFlatKite(const Parameters& p, const FlatKite& kite)
+Result<Scene> flownFlatKite(const Parameters& p, const FlatKite& kite)
 {
     Scene scene;
     scene.settings.title = kite.title;
@@ -106,6 +107,11 @@ Scene flownFlatKite(const Parameters& p, const FlatKite& kite)
     Network network(scene, "kite");
     const FlatSail sail = kite.sail(network, materials);
     network.addFabricMass(clothDensity(p));
+    std::vector<Id> pulledAt = sail.tips;
+    pulledAt.insert(pulledAt.end(), sail.legs.begin(), sail.legs.end());
+    const Result<std::vector<Id>> patches = addPatches(p, pulledAt, scene, network);
+    if (!patches)
+        return patches.failure();
     const std::vector<Id> hubs = addHubs(network, sail, rigging.frame);
     const Id tow = addBridle(network, p, sail, rigging.bridle);
     std::vector<Id> carrying = sail.frame; // the mass of spars and ring
@@ -120,6 +126,7 @@ Scene flownFlatKite(const Parameters& p, const FlatKite& kite)
     const FlyingLine line = addFlyingLine(network, p, rigging.line, tow);
     CraftMaterials craft;
     craft.cloth = {materials.sail, materials.trim};
+    craft.patches = *patches;
     craft.seams = {materials.seams};
     craft.hems = {materials.edge, rigging.tail};
     craft.spars = {materials.spar};

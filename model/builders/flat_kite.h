@@ -43,6 +43,7 @@ struct FlatSail
 {
     std::vector<Id> frame; // nodes of the spars, each once
     std::vector<Id> legs;  // where the bridle is tied
+    std::vector<Id> tips;  // nose, tail and tips, or corners
     Id tail;               // where the tail is tied
     double height = 0.0;   // m, from the foremost to the rearmost node
     double tow = 0.0;      // 1, where the tow point lies, from 0 at the front to 1
@@ -55,6 +56,6 @@ struct FlatKite
     std::function<FlatSail(Network&, const FlatMaterials&)> sail;
 };
 
-Scene flownFlatKite(const Parameters& p, const FlatKite& kite);
+Result<Scene> flownFlatKite(const Parameters& p, const FlatKite& kite);
 
 } // namespace ripstop

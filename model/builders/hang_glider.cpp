@@ -17,6 +17,7 @@
 #include "builders/delta_wing.h"
 #include "builders/designs.h"
 #include "builders/network.h"
+#include "builders/reinforcement.h"
 #include "builders/statics.h"
 
 #include <Eigen/Geometry>
@@ -34,10 +35,12 @@ constexpr auto sailCloths = std::to_array<std::string_view>(
 constexpr auto tubes =
     std::to_array<std::string_view>({"ideal", "aluminium_42", "aluminium_50", "aluminium_52",
                                      "aluminium_62", "aluminium_6061_38", "aluminium_6061_41"});
-constexpr CraftChoices choices{sailCloths, tubes, {}};
+constexpr auto sailPatches =
+    std::to_array<std::string_view>({"none", "dacron_sail", "laminate_scrim", "surf_dacron"});
+constexpr CraftChoices choices{sailCloths, tubes, {}, {}, sailPatches};
 
 // clang-format off
-constexpr Parameter parameters[]{
+constexpr auto ownParameters = std::to_array<Parameter>({
     {"segments",    "",      8,     2, 40,    true,  "Lattice segments per side; the sail has their square of panels.", "Mesh"},
     {"span",        "m",     9.6,   2, 20,    false, "From tip to tip.", "Size and mass"},
     {"chord",       "m",     4.0,   1, 10,    false, "Length of the keel from the nose to the trailing edge."},
@@ -58,8 +61,9 @@ constexpr Parameter parameters[]{
     {"drag",        "",      0.06,  0, 0.5,   false, "Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin friction."},
     {"altitude",    "m",     100,   5, 3000,  false, "Height of the nose at the start.", "Start"},
     {"shift",       "m",     0.4,   0.01, 1,     false, "How far the pilot can shift either way."},
-};
+});
 // clang-format on
+constexpr auto parameters = joined(ownParameters, patchParameters(sailPatches, 0.6));
 
 struct Materials
 {
@@ -281,6 +285,12 @@ Result<Scene> buildHangGlider(const Parameters& p)
 
     Network network(scene, "glider");
     const Wing wing = addWing(network, p, materials);
+    const std::vector<Id>& edges = wing.frame.leadingEdges; // the nose, the left side, the right
+    const Result<std::vector<Id>> patches = addPatches(
+        p, {edges.front(), edges[edges.size() / 2], edges.back(), wing.frame.axis.back()}, scene,
+        network, choices);
+    if (!patches)
+        return patches.failure();
     const double speed = p.at("speed");
     const double angle = trimAngle(scene, network.part(), speed, p.at("vortex") != 0.0);
     const Load air = airLoad(scene, network.part(), headwind(speed, angle));
@@ -291,7 +301,9 @@ Result<Scene> buildHangGlider(const Parameters& p)
     const double tilt = 0.5 * pi - std::atan2(air.force.y(), air.force.x());
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(tilt, Vec3::UnitZ()).toRotationMatrix();
     network.place(turn, {0.0, p.at("altitude"), 0.0}, turn * -headwind(speed, angle));
-    makeOf(p, craftMaterials(materials), scene, network, choices);
+    CraftMaterials craft = craftMaterials(materials);
+    craft.patches = *patches;
+    makeOf(p, craft, scene, network, choices);
 
     addGroup(scene, "leading edge", wing.frame.leadingEdges);
     addGroup(scene, "keel", wing.frame.axis);

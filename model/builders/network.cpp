@@ -99,9 +99,11 @@ void Network::texture(Id particle, double u, double v)
     row(particle).textureV = v;
 }
 
-void Network::addFabricMass(double density)
+void Network::addFabricMass(double density, Id material)
 {
     for (const Panel& panel : m_part.panels) {
+        if (material != noId && panel.material != material)
+            continue;
         const Vec3 ab = position(panel.b) - position(panel.a);
         const Vec3 ac = position(panel.c) - position(panel.a);
         const double share = density * 0.5 * ab.cross(ac).norm() / 3.0;

@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace ripstop {
@@ -35,11 +36,13 @@ public:
     // Says of the link laid last that it stands for a strip of fabric of this width, m.
     void asFabric(LinkRole role, double width);
 
+    std::span<Panel> panels() { return m_part.panels; }
     Particle& row(Id particle) { return *findRow(m_part.particles, particle); }
     void texture(Id particle, double u, double v);
 
-    // Gives each corner of the panel its third of the fabric's mass; density in kg/m^2.
-    void addFabricMass(double density);
+    // Gives each corner of the panel its third of the fabric's mass; density in kg/m^2. Of panels
+    // of one material only where that is said.
+    void addFabricMass(double density, Id material = noId);
 
     double lengthOf(Id material) const; // m, of all links of this material
 

@@ -23,6 +23,7 @@
 #include "builders/descent.h"
 #include "builders/designs.h"
 #include "builders/network.h"
+#include "builders/reinforcement.h"
 #include "builders/statics.h"
 
 #include <Eigen/Geometry>
@@ -34,7 +35,7 @@ namespace ripstop {
 namespace {
 
 // clang-format off
-constexpr Parameter parameters[]{
+constexpr auto ownParameters = std::to_array<Parameter>({
     {"rings",         "",       6,      2, 40,    true,  "Rings of fabric from the apex to the skirt.", "Mesh"},
     {"sectors",       "",       24,     6, 120,   true,  "Gores, and suspension lines."},
     {"hoop",          "",       1,      0, 1,     true,  "1 holds the skirt open with a rigid hoop where there is no canopy pressure, 0 leaves it to the air."},
@@ -60,8 +61,9 @@ constexpr Parameter parameters[]{
     {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full."},
     {"porosity",      "",       0,      0, 0.5,   false, "Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own."},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
-};
+});
 // clang-format on
+constexpr auto parameters = joined(ownParameters, patchParameters(canopyPatches, 0.4));
 
 // Half the angle that the cap spans at its centre: sin(a) / a = fullness.
 double capAngle(double fullness)
@@ -237,11 +239,17 @@ Result<Scene> buildParachute(const Parameters& p)
     craft.seams = {materials.seams};
     craft.lines = {materials.lines};
     layCloth(scene, network, canopy, p, materials, craft);
+    std::vector<Id> pulledAt = canopy.skirt();
+    pulledAt.push_back(canopy.nodes().front());
+    const Result<std::vector<Id>> patches = addPatches(p, pulledAt, scene, network, canopyChoices);
+    if (!patches)
+        return patches.failure();
+    craft.patches = *patches;
     const bool holdsAir = p.at("pressure") > 0.0;
     if (holdsAir) {
         canopy.shape(network);
     } else {
-        setDrag(scene, network, materials.cloth, p.at("drag"),
+        setDrag(scene, network, craft.allCloth(), p.at("drag"),
                 0.25 * pi * p.at("diameter") * p.at("diameter"));
     }
 

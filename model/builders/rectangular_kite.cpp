@@ -4,6 +4,7 @@
 #include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/flat_kite.h"
+#include "builders/reinforcement.h"
 #include "builders/statics.h"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"rear_legs", "",  0.85, 0.55, 1,  false, "Where the two rear legs are tied."},
 });
 // clang-format on
-constexpr auto parameters =
-    joined(ownParameters, flatKiteParameters, materialParameters, flightParameters);
+constexpr auto parameters = joined(ownParameters, flatKiteParameters, materialParameters,
+                                   patchParameters(patchChoices, 0.15), flightParameters);
 
 FlatSail addRectangle(Network& network, const FlatMaterials& materials, const Parameters& p)
 {
@@ -69,11 +70,12 @@ FlatSail addRectangle(Network& network, const FlatMaterials& materials, const Pa
             network.panel(leansRight ? a : c, d, b, cloth);
         }
 
-    FlatSail sail{{}, {}, at(rows, columns / 2), p.at("height"), p.at("tow")};
+    FlatSail sail{{}, {}, {}, at(rows, columns / 2), p.at("height"), p.at("tow")};
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column)
             if (isSpar(row, column))
                 sail.frame.push_back(at(row, column));
+    sail.tips = {at(0, 0), at(0, columns), at(rows, 0), at(rows, columns)};
     const int quarter = std::max(columns / 4, 1);
     for (const char* legs : {"front_legs", "rear_legs"}) {
         const int row = int(std::lround(p.at(legs) * rows));

@@ -6374,6 +6374,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Simulation %1</translation>
     </message>
     <message>
+        <location filename="reinforcement.cpp"/>
+        <source>patch_radius: patches of %1 m cover no panel of this mesh; it takes %2 m, or a finer mesh.</source>
+        <translation>patch_radius : des renforts de %1 m ne couvrent aucun panneau de ce maillage ; il faut %2 m, ou un maillage plus fin.</translation>
+    </message>
+    <message>
         <location filename="remedies.cpp"/>
         <source> or </source>
         <translation> ou </translation>
@@ -9682,6 +9687,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cloth that doubles real cloth where it is pulled at a point: at nose, tips and corners, and where lines are tied.</source>
+        <translation>Toile qui double une vraie toile là où elle est tirée en un point : au nez, aux bouts et aux coins, et là où des lignes sont attachées.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Cloth under pressure</source>
         <translation>Toile sous pression</translation>
     </message>
@@ -12087,6 +12097,16 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Patch</source>
+        <translation>Renfort</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Patch radius</source>
+        <translation>Rayon des renforts</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Path</source>
         <translation>Trajet</translation>
     </message>
@@ -12322,6 +12342,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Radius of the patches; they cover the panels whose middle lies within it.</source>
+        <translation>Rayon des renforts ; ils couvrent les panneaux dont le milieu s’y trouve.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Radius of the sphere or the cylinder; other shapes do not use it.</source>
         <translation>Rayon de la sphère ou du cylindre ; les autres formes ne l’utilisent pas.</translation>
     </message>
@@ -12379,6 +12404,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Reflex</source>
         <translation>Réflexe</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Reinforcement</source>
+        <translation>Renforcement</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -1,5 +1,5 @@
-// Parachutes and hang gliders of what one can buy fly: a canopy of cloth stays open by the air in it
-// alone, and all sink as such craft do, whatever their mesh and their cloth.
+// Parachutes and hang gliders of what one can buy fly: a canopy of cloth stays open by the air in
+// it alone, and all sink as such craft do, whatever their mesh and their cloth.
 //
 // Stages: the canopy that collapses, the one that opens, the cross; then meshes, cloths, tubes that
 // bend, the glider.
