@@ -20,6 +20,7 @@ struct MapOptions
     std::string formula;
     std::string of;
     std::string picture;
+    std::vector<double> range; // of what the picture is to give, black and white
     std::string output;
 };
 
@@ -37,8 +38,20 @@ Result<Id> itemCalled(const Scene& scene, const std::string& name)
     return *failure;
 }
 
+std::string formulaOf(const MapOptions& options)
+{
+    if (options.range.empty())
+        return options.formula;
+    const double black = options.range.front(), white = options.range.back();
+    return textFromValue(black) + " + (" + textFromValue(white - black) + ") * grey";
+}
+
 int map(const MapOptions& options)
 {
+    if (options.formula.empty() && options.range.empty())
+        return fail(WrongUsage, Message("Say what to set: --formula, or --picture and --range."));
+    if (!options.range.empty() && options.picture.empty())
+        return fail(WrongUsage, Message("--range is of a picture: name one with --picture."));
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
@@ -54,8 +67,8 @@ int map(const MapOptions& options)
         std::erase_if(place->targets,
                       [&](Id id) { return !std::ranges::binary_search(among, id); });
     }
-    const Result<MappedNumbers> made =
-        mappedByPicture(scene, *place->property, place->targets, options.formula, options.picture);
+    const Result<MappedNumbers> made = mappedByPicture(scene, *place->property, place->targets,
+                                                       formulaOf(options), options.picture);
     if (!made)
         return fail(BadInput, Message("%1: %2", options.scene.file, made.message()));
     (void)apply(scene, made->edit);
@@ -76,14 +89,21 @@ void addMap(CLI::App& app, Command& chosen)
     const auto options = std::make_shared<MapOptions>();
     addSceneOption(*command, options->scene);
     command->add_option("PATH", options->path, "What is set: kite.links.tearLimit")->required();
-    command
-        ->add_option("--formula", options->formula,
-                     "Of x, y, z (m), u, v (texture), value (now) and grey (of the picture)")
-        ->required();
+    CLI::Option* formula = command->add_option(
+        "--formula", options->formula,
+        "Of x, y, z (m), u, v (texture), value (now) and grey (of the picture)");
     command->add_option("--of", options->of, "Only what this material, group or part has")
         ->type_name("NAME");
-    command->add_option("--picture", options->picture, "PNG or PGM, seen at u and v")
+    command
+        ->add_option("--picture", options->picture,
+                     "PNG or PGM, seen at u and v, or laid over elements without texture")
         ->type_name("FILE");
+    command
+        ->add_option("--range", options->range,
+                     "What black and white of the picture mean, in place of a formula")
+        ->expected(2)
+        ->type_name("LOW HIGH")
+        ->excludes(formula);
     command->add_option("-o,--output", options->output, "Scene file to write")
         ->type_name("SCENE")
         ->required();
@@ -94,6 +114,8 @@ void addMap(CLI::App& app, Command& chosen)
         "Examples:\n"
         "  ripstop-cli map cloth.ripstop.json sheet.links.tearLimit --of structural \\\n"
         "      --formula \"value * (1 - 0.5 * exp(-(x^2 + y^2) / 0.04))\" -o worn.ripstop.json\n"
+        "  ripstop-cli map kite.ripstop.json kite.panels.strengthFactor --picture worn.png \\\n"
+        "      --range 0.2 1 -o worn.ripstop.json\n"
         "  ripstop-cli map kite.ripstop.json kite.panels.grain --formula \"45 * u\" -o "
         "fan.ripstop.json");
     command->callback([options, &chosen] { chosen = [options] { return map(*options); }; });

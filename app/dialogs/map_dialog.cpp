@@ -112,8 +112,11 @@ void MapDialog::choosePicture()
 {
     const QString file = QFileDialog::getOpenFileName(this, tr("Choose a picture"), {},
                                                       tr("Pictures (*.png *.pgm)"));
-    if (!file.isEmpty())
-        m_picture->setText(file);
+    if (file.isEmpty())
+        return;
+    m_picture->setText(file);
+    if (!m_formula->text().contains(QLatin1String("grey"))) // which would leave it unseen
+        m_formula->setText(QStringLiteral("0.2 + 0.8 * grey"));
 }
 
 Result<MappedNumbers> MapDialog::map() const

@@ -207,6 +207,8 @@ private:
         s.links.push_back(place);
         if (!s.linkStuff.empty())
             s.linkStuff.push_back({}); // of no material, which has no line drag
+        if (!s.linkFactors.empty())
+            s.linkFactors.push_back(ElementFactors(s.linkFactors[link]));
         move(s.links.back(), from, twin);
     }
 

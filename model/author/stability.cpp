@@ -159,8 +159,7 @@ std::optional<Finding> softness(const Look& look)
         if (link.kind != LinkKind::Rod || !look.isTied(k) || place < 0)
             continue;
         const auto& material = std::get<Material>(look.scene.items[std::size_t(place)].item);
-        const double compliance = link.compliance.value_or(
-            rodCompliance(material, link.role, link.width, link.restLength));
+        const double compliance = link.compliance.value_or(rodCompliance(material, link));
         double weight = 0.0; // 1/kg
         for (const Particle* end : {&look.end(k, 0), &look.end(k, 1)})
             weight += end->pinned || !(end->mass > 0.0) ? 0.0 : 1.0 / end->mass;

@@ -96,9 +96,8 @@ std::vector<Sums> sumsOfSprings(const Scene& scene, const ElementIndex& index, b
 
 SpringNumbers springNumbers(const Link& link, const Material& material)
 {
-    return {
-        link.stiffness.value_or(springStiffness(material, link.role, link.width, link.restLength)),
-        link.damping.value_or(material.damping)};
+    return {link.stiffness.value_or(springStiffness(material, link)),
+            link.damping.value_or(material.damping)};
 }
 
 bool springsAreTogether(const Scene& scene, const ElementIndex& index)

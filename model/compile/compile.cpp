@@ -11,6 +11,7 @@
 #include "constraints/rod_order.h"
 #include "derived/flat_panel.h"
 
+#include <algorithm>
 #include <span>
 
 namespace ripstop {
@@ -47,6 +48,19 @@ void addParticles(const Part& part, System& system)
     }
 }
 
+void addLinkFactors(const Scene& scene, System& system)
+{
+    const auto isOther = [](const Link& row) { return factorsOf(row) != ElementFactors(); };
+    bool any = false;
+    forEachPart(scene,
+                [&](Id, const Part& part) { any |= std::ranges::any_of(part.links, isOther); });
+    if (any)
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Link& row : part.links)
+                system.linkFactors.push_back(factorsOf(row));
+        });
+}
+
 // Puts links and what they became into the system; the order of the rods is found before they are
 // made, so that each is written once.
 RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
@@ -76,6 +90,7 @@ RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
         }
     });
 
+    addLinkFactors(scene, system);
     system.springs.reserve(springs.size());
     for (const LinkPlace& link : system.links)
         if (link.kind == LinkKind::Spring) {
@@ -112,7 +127,7 @@ void addMembrane(const Panel& row, System& system)
     const PanelCut cut{
         area,
         {flat->ac.y() * scale, -flat->ac.x() * scale, -flat->ab.y() * scale, flat->ab.x() * scale}};
-    system.membranes.push_back({cut, int(system.panels.size()) - 1});
+    system.membranes.push_back({cut, int(system.panels.size()) - 1, factorsOf(row)});
 }
 
 void addPanels(const Scene& scene, const ElementIndex& index, System& system)

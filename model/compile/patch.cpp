@@ -92,15 +92,16 @@ private:
             if (stuff.material != key)
                 continue;
             const LinkPlace& link = m_system.links[i];
+            const ElementFactors factors = m_system.factorsOf(i);
             if (link.kind == LinkKind::Spring) {
                 Spring& spring = m_system.springs[std::size_t(link.index)];
                 const TearRule before = spring.tear.rule;
-                takeMaterial(material, stuff, spring);
+                takeMaterial(material, stuff, factors, spring);
                 m_tearRules |= spring.tear.rule != before;
             } else {
                 Rod& rod = m_system.rods[std::size_t(link.index)];
                 const Rod before = rod;
-                takeMaterial(material, stuff, rod);
+                takeMaterial(material, stuff, factors, rod);
                 m_tearRules |= rod.tear.rule != before.tear.rule;
                 m_allRods |= !solvesLike(rod, before);
             }

@@ -22,10 +22,12 @@ namespace {
 
 enum Own : std::uint8_t { OwnStiffness = 1, OwnDamping = 2, OwnCompliance = 4, OwnTearLimit = 8 };
 
-void takeTear(const Material& material, const LinkStuff& stuff, TearLimit& tear)
+void takeTear(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+              TearLimit& tear)
 {
     tear = linkTearOf(material, stuff.role, stuff.width,
-                      stuff.own & OwnTearLimit ? std::optional(tear.limit) : std::nullopt);
+                      stuff.own & OwnTearLimit ? std::optional(tear.limit) : std::nullopt,
+                      factors.strength);
 }
 
 template <typename T, typename Visit>
@@ -195,7 +197,7 @@ Spring springOf(const Link& row, const Material& material, int a, int b)
                   row.damping.value_or(0.0),
                   row.resists,
                   {TearRule::Never, row.tearLimit.value_or(0.0)}};
-    takeMaterial(material, stuffOf(row), spring);
+    takeMaterial(material, stuffOf(row), factorsOf(row), spring);
     return spring;
 }
 
@@ -209,7 +211,7 @@ Rod rodOf(const Link& row, const Material& material, int a, int b)
             row.compliance.value_or(0.0),
             row.resists,
             {TearRule::Never, row.tearLimit.value_or(0.0)}};
-    takeMaterial(material, stuffOf(row), rod);
+    takeMaterial(material, stuffOf(row), factorsOf(row), rod);
     return rod;
 }
 
@@ -316,21 +318,25 @@ std::vector<FabricTear> fabricTearsOf(const Scene& scene)
     return tears;
 }
 
-void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring)
+void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+                  Spring& spring)
 {
     if (!(stuff.own & OwnStiffness))
-        spring.stiffness = springStiffness(material, stuff.role, stuff.width, spring.restLength);
+        spring.stiffness = factors.stiffness
+                           * springStiffness(material, stuff.role, stuff.width, spring.restLength);
     if (!(stuff.own & OwnDamping))
         spring.damping = material.damping;
-    takeTear(material, stuff, spring.tear);
+    takeTear(material, stuff, factors, spring.tear);
 }
 
-void takeMaterial(const Material& material, const LinkStuff& stuff, Rod& rod)
+void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+                  Rod& rod)
 {
     if (!(stuff.own & OwnCompliance))
-        rod.compliance = rodCompliance(material, stuff.role, stuff.width, rod.restLength);
+        rod.compliance =
+            rodCompliance(material, stuff.role, stuff.width, rod.restLength) / factors.stiffness;
     rod.dampingTime = material.dampingTime;
-    takeTear(material, stuff, rod.tear);
+    takeTear(material, stuff, factors, rod.tear);
 }
 
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id)

@@ -17,6 +17,11 @@ void takeParticle(const Particle& row, int place, System& system);
 GuidedParticle guidedOf(const Particle& row, int place);
 
 LinkStuff stuffOf(const Link& row);
+template <typename Row> // of links or panels
+ElementFactors factorsOf(const Row& row)
+{
+    return {row.stiffnessFactor, row.strengthFactor};
+}
 Spring springOf(const Link& row, const Material& material, int a, int b); // particle indices
 Rod rodOf(const Link& row, const Material& material, int a, int b); // or of a spring held as one
 MaterialAir airOf(Id id, const Material& material);
@@ -32,8 +37,10 @@ std::vector<ClothLaw> clothsOf(const Scene& scene); // [materialAir], empty when
 std::vector<FabricTear> fabricTearsOf(const Scene& scene); // [materialAir]
 
 // The numbers that come from the material, but for those that the link has itself.
-void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring);
-void takeMaterial(const Material& material, const LinkStuff& stuff, Rod& rod);
+void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+                  Spring& spring);
+void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+                  Rod& rod);
 
 // The material, or default numbers when there is none.
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id);

@@ -129,7 +129,7 @@ void ElasticPanels::start(const System& system, std::span<const std::uint8_t> go
 {
     for (ElasticPanel& panel : m_panels) {
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        const ClothLaw& law = lawOf(system, membrane);
+        const ClothLaw law = lawOf(system, membrane);
         panel.gone = gone[std::size_t(membrane.panel)] != 0;
         const Corners corners = cornersOf(system, membrane, past.before);
         const Vec3 last = strainAt(membrane, corners);
@@ -248,7 +248,7 @@ ElasticPanels::Account ElasticPanels::account(const System& system) const
     for (const ElasticPanel& panel : m_panels) {
         if (panel.gone)
             continue;
-        const ClothLaw& law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
+        const ClothLaw law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
         const auto energyOf = [&](const Vec3& tension) {
             return panel.weight * tension.dot(strainOf(law, tension));
         };
@@ -260,7 +260,7 @@ ElasticPanels::Account ElasticPanels::account(const System& system) const
 
 double ElasticPanels::softness(const System& system, const ElasticPanel& panel, double h) const
 {
-    const ClothLaw& law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
+    const ClothLaw law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
     const double stiffness = std::max(law.warp, law.weft); // N/m
     return stiffness > 0.0 ? 1.0 / (stiffness * h * h) : 0.0;
 }

@@ -1,3 +1,6 @@
+// flatPanel() lays a triangle out by the lengths of its sides and turns it by its grain; all else
+// follows from that or from where the corners are. A grain is told from 0 to 180 degrees, as a warp
+// runs both ways.
 #include "derived/flat_panel.h"
 
 #include "base/angle.h"
@@ -7,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -37,21 +41,54 @@ std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3
                      {along * cosine + across * sine, across * cosine - along * sine}};
 }
 
-void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp)
+std::optional<std::array<double, 2>> warpShares(const Panel& panel, const Vec3& a, const Vec3& b,
+                                                const Vec3& c)
 {
-    panel.restAB = (b - a).norm();
-    panel.restBC = (c - b).norm();
-    panel.restCA = (a - c).norm();
+    const std::optional<FlatPanel> flat = flatPanel(panel, a, b, c);
+    if (!flat)
+        return std::nullopt;
+    const double twice = 2.0 * flat->area();
+    return std::array{flat->ac.y() / twice, -flat->ab.y() / twice};
+}
+
+double grainAlong(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp)
+{
     const Vec3 along = (b - a).normalized();
     const Vec3 across = ((c - a) - (c - a).dot(along) * along).normalized();
     const double x = warp.dot(along);
     const double y = warp.dot(across);
     const bool lies = std::hypot(x, y) > 1e-6 * warp.norm();
     const double angle = lies ? std::atan2(y, x) / degrees : 0.0;
-    panel.grain = angle < 0.0 ? angle + 180.0 : angle; // a warp runs both ways
+    return angle < 0.0 ? angle + 180.0 : angle;
 }
 
-void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c)
+Panel turnedOver(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    Panel turned = panel;
+    std::swap(turned.b, turned.c);
+    std::swap(turned.restAB, turned.restCA);
+    Panel plain = panel;
+    plain.grain = 0.0;
+    if (const std::optional<FlatPanel> flat = flatPanel(plain, a, b, c)) {
+        const double corner = std::atan2(flat->ac.y(), flat->ac.x()) / degrees;
+        turned.grain = corner - panel.grain;
+        if (turned.grain < 0.0)
+            turned.grain += 180.0;
+    }
+    return turned;
+}
+
+void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp)
+{
+    panel.restAB = (b - a).norm();
+    panel.restBC = (c - b).norm();
+    panel.restCA = (a - c).norm();
+    panel.grain = grainAlong(a, b, c, warp);
+}
+
+namespace {
+
+Vec3 uprightWarp(const Particle& a, const Particle& b, const Particle& c) // of any length
 {
     const Vec3 ab = b.position - a.position;
     const Vec3 ac = c.position - a.position;
@@ -62,10 +99,21 @@ void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle&
     const bool isPrinted = std::abs(turn) > thinnest * largest * largest && largest > 0.0;
     const Vec3 across = ab.cross(ac);
     const bool isLevel = std::hypot(across.x(), across.z()) < 1e-3 * across.norm();
-    const Vec3 warp = isPrinted ? Vec3((ub * ac - uc * ab) / turn)
-                      : isLevel ? Vec3(Vec3::UnitX())
-                                : Vec3(Vec3::UnitY());
-    layFlat(panel, a.position, b.position, c.position, warp);
+    return isPrinted ? Vec3((ub * ac - uc * ab) / turn)
+           : isLevel ? Vec3(Vec3::UnitX())
+                     : Vec3(Vec3::UnitY());
+}
+
+} // namespace
+
+double uprightGrain(const Particle& a, const Particle& b, const Particle& c)
+{
+    return grainAlong(a.position, b.position, c.position, uprightWarp(a, b, c));
+}
+
+void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c)
+{
+    layFlat(panel, a.position, b.position, c.position, uprightWarp(a, b, c));
 }
 
 } // namespace ripstop

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 
 namespace ripstop {
@@ -26,12 +27,29 @@ struct FlatPanel
 // errors. Places of the corners in m.
 std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c);
 
+// How far along ab and along ac the warp runs: with these shares its way is
+//
+//     shares[0] (b - a) + shares[1] (c - a)
+//
+// wherever the corners are, 1 long at rest. Nothing where there is no such triangle.
+std::optional<std::array<double, 2>> warpShares(const Panel& panel, const Vec3& a, const Vec3& b,
+                                                const Vec3& c);
+
+// Degrees, 0 to 180: the grain that has the warp run along `warp`, projected onto the panel; 0
+// where it runs across it.
+double grainAlong(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp);
+
+// The same cloth seen from its other side: the panel with its corners b and c exchanged, and with
+// them its rest lengths and its grain. The places, m, are those of the corners before.
+Panel turnedOver(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c);
+
 // Notes how long the sides are now, and the grain that has the warp run along `warp`, projected
 // onto the panel; a warp across it leaves the grain at 0.
 void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp);
 
 // The same, with the warp in the direction in which the picture that is printed on the fabric goes
 // up; where it has none, upright (y), and on what lies level along x.
+double uprightGrain(const Particle& a, const Particle& b, const Particle& c); // degrees
 void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c);
 
 } // namespace ripstop

@@ -36,6 +36,16 @@ double rodCompliance(const Material& material, LinkRole role, double width, doub
     return tension && restLength > 0.0 ? restLength / *tension : material.compliance;
 }
 
+double springStiffness(const Material& material, const Link& link)
+{
+    return link.stiffnessFactor * springStiffness(material, link.role, link.width, link.restLength);
+}
+
+double rodCompliance(const Material& material, const Link& link)
+{
+    return rodCompliance(material, link.role, link.width, link.restLength) / link.stiffnessFactor;
+}
+
 double biasWidth(double p, double q)
 {
     const double diagonal = std::sqrt(p * p + q * q);

@@ -27,6 +27,10 @@ double springStiffness(const Material& material, LinkRole role, double width, do
 // material, or the material's `compliance`.
 double rodCompliance(const Material& material, LinkRole role, double width, double restLength);
 
+// The same of a link, whose factor its material's stiffness is times.
+double springStiffness(const Material& material, const Link& link);
+double rodCompliance(const Material& material, const Link& link);
+
 // m, of either diagonal of a cell with sides p and q, m.
 double biasWidth(double p, double q);
 

@@ -58,6 +58,7 @@ public:
         for (const Link& link : part.links)
             if (isOfFabric(link)) {
                 m_length[sideOf(link.from, link.to)] = link.restLength;
+                m_thread[sideOf(link.from, link.to)] = &link;
                 m_threads.emplace(link.id, sideOf(link.from, link.to));
             }
         for (const Panel& panel : part.panels)
@@ -80,6 +81,19 @@ public:
         return found == m_length.end() ? 0.0 : found->second;
     }
 
+    // The mean of a factor of the threads along the sides of a panel; 1 where there are none.
+    double meanFactor(const Panel& panel, double Link::*factor) const
+    {
+        double sum = 0.0;
+        int count = 0;
+        for (const PanelSide& side : sidesOf(panel))
+            if (const auto found = m_thread.find(side); found != m_thread.end()) {
+                sum += found->second->*factor;
+                ++count;
+            }
+        return count > 0 ? sum / count : 1.0;
+    }
+
     // Probes are of no single panel. Answers false when `id` is no thread of this part.
     bool addHeirs(Id id, bool ofProbe, std::vector<Id>& heirs) const
     {
@@ -98,6 +112,7 @@ private:
     Id m_part;
     std::map<Id, PanelSide> m_threads;
     std::map<PanelSide, double> m_length; // m, at rest
+    std::map<PanelSide, const Link*> m_thread;
     std::map<PanelSide, std::vector<Id>> m_panels;
 };
 
@@ -155,6 +170,23 @@ void addCuts(const Scene& scene, const Part& part, const Neighbours& neighbours,
             edit.changes.emplace_back(std::move(*values));
 }
 
+void addFactors(const Part& part, const Neighbours& neighbours, Edit& edit)
+{
+    const auto add = [&](const Property& property, double Link::*ofThreads, double Panel::*own) {
+        SetValues values{&property, {}, {}};
+        for (const Panel& panel : part.panels)
+            if (const double mean = neighbours.meanFactor(panel, ofThreads);
+                mean != 1.0 && panel.*own == 1.0) {
+                values.targets.push_back(panel.id);
+                values.values.emplace_back(mean);
+            }
+        if (!values.targets.empty())
+            edit.changes.emplace_back(std::move(values));
+    };
+    add(propertyOf<&Panel::stiffnessFactor>(), &Link::stiffnessFactor, &Panel::stiffnessFactor);
+    add(propertyOf<&Panel::strengthFactor>(), &Link::strengthFactor, &Panel::strengthFactor);
+}
+
 } // namespace
 
 bool isOfFabric(const Link& link) { return link.role != LinkRole::Line && link.width > 0.0; }
@@ -175,6 +207,7 @@ Result<PanelFabric> carriedByPanels(const Scene& scene, const std::vector<Id>& p
         failure = refusal(scene, part);
         const Neighbours& neighbours = all.emplace_back(id, part);
         addCuts(scene, part, neighbours, made.edit);
+        addFactors(part, neighbours, made.edit);
         removed.emplace_back(RemoveRows{id, {}, neighbours.threads(), {}});
         if (part.carrier != FabricKind::Panels)
             carrier.targets.push_back(id);

@@ -6,6 +6,8 @@
 // rest lengths of the threads along their sides, so that a design that is drawn or saved under load
 // keeps its cut.
 //
+// A panel is as stiff and as strong of its material as the threads along its sides were on average.
+//
 // What named a thread names the panels beside it instead; a probe of a quantity that only links
 // have goes to the part.
 #pragma once

@@ -10,15 +10,9 @@ double joined(const Material& material, double strength)
     return shareLeftByJoints(material) * strength;
 }
 
-} // namespace
-
-double shareLeftByJoints(const Material& material)
-{
-    return material.jointEfficiency.value_or(1.0);
-}
-
-TearLimit linkTearOf(const Material& material, LinkRole role, double width,
-                     std::optional<double> own)
+// As the material has it.
+TearLimit plainTearOf(const Material& material, LinkRole role, double width,
+                      std::optional<double> own)
 {
     switch (material.tearRule) {
     case TearRule::Never:
@@ -37,6 +31,20 @@ TearLimit linkTearOf(const Material& material, LinkRole role, double width,
         return {TearRule::Force, own ? *own : joined(material, *material.lineStrength)};
     }
     return never(own);
+}
+
+} // namespace
+
+double shareLeftByJoints(const Material& material)
+{
+    return material.jointEfficiency.value_or(1.0);
+}
+
+TearLimit linkTearOf(const Material& material, LinkRole role, double width,
+                     std::optional<double> own, double factor)
+{
+    const TearLimit tear = plainTearOf(material, role, width, own);
+    return own ? tear : timesStrength(tear, factor);
 }
 
 FabricTear fabricTearOf(const Material& material)

@@ -25,9 +25,12 @@
 
 namespace ripstop {
 
-//   width  m, of the strip of fabric that the link stands for; 0 for none
+// What the material gives is times the strength factor of the link or the panel, but for lengths.
+//
+//   width   m, of the strip of fabric that the link stands for; 0 for none
+//   factor  1, of what the material gives
 TearLimit linkTearOf(const Material& material, LinkRole role, double width,
-                     std::optional<double> own);
+                     std::optional<double> own, double factor = 1.0);
 
 FabricTear fabricTearOf(const Material& material);
 

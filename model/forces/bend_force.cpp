@@ -92,9 +92,9 @@ BendingNet bendingNetOf(const System& system)
                                                             : system.rods[index].restLength;
         const Key material = system.linkStuff.empty() ? 0 : system.linkStuff[i].material;
         const int bending = system.linkStuff.empty() ? -1 : bendingOf(material);
-        net.links.push_back({link.a, link.b, length, material,
-                             bending < 0 ? Bending() : system.bending[std::size_t(bending)],
-                             link.kind == LinkKind::Rod});
+        Bending own = bending < 0 ? Bending() : system.bending[std::size_t(bending)];
+        own.breaking *= system.factorsOf(i).strength;
+        net.links.push_back({link.a, link.b, length, material, own, link.kind == LinkKind::Rod});
     }
     return net;
 }

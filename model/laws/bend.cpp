@@ -390,7 +390,8 @@ private:
         bend.corner = {particle, a, b, particle};
         bend.weight = {-(u + v), u, v, 0.0};
         bend.stiffness = first.bending.spar / (turning * turning * turning);
-        bend.breaking = first.bending.breaking;
+        bend.breaking =
+            std::min(first.bending.breaking, m_net.links[std::size_t(other)].bending.breaking);
         bend.length = {first.restLength, m_net.links[std::size_t(other)].restLength};
         const Vec3 turn = away(one, particle) + away(other, particle);
         bend.restTurn = turn.norm() > 1e-9 ? turning * turn.norm() : 0.0; // rounding is no bend

@@ -18,6 +18,14 @@ struct TearLimit
     friend bool operator==(const TearLimit&, const TearLimit&) = default;
 };
 
+// The limit of what is so many times as strong. A length is no strength of what has it.
+constexpr TearLimit timesStrength(TearLimit tear, double factor)
+{
+    if (tear.rule != TearRule::Length)
+        tear.limit *= factor;
+    return tear;
+}
+
 // When a panel that carries the pull of a fabric tears: above either limit, or where a tear ends
 // that is driven on by more than the energy (tearing/tear_tips.h). The rule is Never, Tension or
 // Strain.
@@ -32,5 +40,13 @@ struct FabricTear
 
     friend bool operator==(const FabricTear&, const FabricTear&) = default;
 };
+
+constexpr FabricTear timesStrength(FabricTear tear, double factor)
+{
+    tear.warp *= factor;
+    tear.weft *= factor;
+    tear.energy *= factor;
+    return tear;
+}
 
 } // namespace ripstop

@@ -152,8 +152,9 @@ void judgeLinks(const System& system, JudgedPlaces& judged)
                              : stuff.role == LinkRole::Line ? strength.line
                                                             : 0.0;
         if (bears > 0.0)
-            judged.links.push_back({i, isThread ? LoadKind::Thread : LoadKind::Line,
-                                    isThread ? stuff.width : 1.0, bears / system.safetyFactor});
+            judged.links.push_back(
+                {i, isThread ? LoadKind::Thread : LoadKind::Line, isThread ? stuff.width : 1.0,
+                 bears * system.factorsOf(std::size_t(i)).strength / system.safetyFactor});
     }
 }
 
@@ -161,7 +162,7 @@ void judgePanels(const System& system, JudgedPlaces& judged)
 {
     for (int i = 0; i < int(system.membranes.size()); ++i) {
         const Membrane& membrane = system.membranes[std::size_t(i)];
-        const ClothLaw& law = lawOf(system, membrane);
+        const ClothLaw law = lawOf(system, membrane);
         const Strength& strength =
             system.strength[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
         if (!law.isElastic() || !(weaker(strength.warp, strength.weft) > 0.0))
@@ -169,9 +170,10 @@ void judgePanels(const System& system, JudgedPlaces& judged)
         const double stiffest = std::max(law.warp, law.weft);
         const double softest = stiffest / (law.warp * law.weft - law.coupling * law.coupling);
         const double all = law.warp + 2.0 * law.coupling + law.weft;
-        judged.panels.push_back({i, strength.warp / system.safetyFactor,
-                                 strength.weft / system.safetyFactor, std::sqrt(stiffest * all),
-                                 std::sqrt(softest * all)});
+        const double factor = membrane.factors.strength;
+        judged.panels.push_back({i, factor * strength.warp / system.safetyFactor,
+                                 factor * strength.weft / system.safetyFactor,
+                                 std::sqrt(stiffest * all), std::sqrt(softest * all)});
     }
 }
 
@@ -183,8 +185,10 @@ void judgeSpars(const System& system, JudgedPlaces& judged)
         const Bend& bend = bends[std::size_t(i)];
         if (!bend.ofSpar)
             continue;
+        const double factor = std::min(system.factorsOf(std::size_t(bend.of[0])).strength,
+                                       system.factorsOf(std::size_t(bend.of[1])).strength);
         if (const double bears = strengths.of(std::size_t(bend.of[0])).moment; bears > 0.0)
-            judged.spars.push_back({i, bears / system.safetyFactor});
+            judged.spars.push_back({i, factor * bears / system.safetyFactor});
     }
 }
 

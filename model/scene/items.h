@@ -54,13 +54,15 @@ struct Link
     Id material{};
     LinkKind kind = LinkKind::Rod;
     Resists resists = Resists::Both;
-    double restLength = 1.0; // m
     LinkRole role = LinkRole::Line;
+    double restLength = 1.0;          // m
     double width = 0.0;               // m, of the strip of fabric that a thread or bias stands for
     std::optional<double> stiffness;  // N/m, springs
     std::optional<double> damping;    // N s/m, springs
     std::optional<double> compliance; // m/N, rods
     std::optional<double> tearLimit;  // as the material's tear rule says (derived/tear_bounds.h)
+    double stiffnessFactor = 1.0;     // 1, of what the material gives, as are strengths
+    double strengthFactor = 1.0;      // 1
 
     friend bool operator==(const Link&, const Link&) = default;
 };
@@ -77,7 +79,9 @@ struct Panel
     double restAB = 0.0; // m, 0 takes what the particles are apart
     double restBC = 0.0;
     double restCA = 0.0;
-    double grain = 0.0; // degrees, from the side ab towards c, where the warp runs
+    double grain = 0.0;           // degrees, from the side ab towards c, where the warp runs
+    double stiffnessFactor = 1.0; // 1, of what the material gives, as are strengths
+    double strengthFactor = 1.0;  // 1
 
     friend bool operator==(const Panel&, const Panel&) = default;
 };

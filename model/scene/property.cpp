@@ -107,6 +107,7 @@ constexpr SliderRange decades(double low, double high) { return {low, high, true
 constexpr Range notNegative{0.0};
 constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
 constexpr Range fraction{0.0, 1.0};
+constexpr Range factors{0.001, 1000.0};
 constexpr Kinds particles{Kind::Particle};
 constexpr Kinds movable{Kind::Particle, Kind::Collider};
 constexpr Kinds materials{Kind::Material};
@@ -163,6 +164,8 @@ std::span<const Property> allProperties()
         property<&Link::damping>         ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching; empty takes the material's.", {isSpring}, {.range = notNegative, .traits = {Counts}}),
         property<&Link::compliance>      ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton, 0 never stretches; empty takes the material's.", {isRod, softRods}, {.range = notNegative, .traits = {Counts}}),
         property<&Link::tearLimit>       ("tearLimit",   "Tear limit",   "",        Recompile,   "The link breaks above this, in metres, as a strain or in newtons as its material's tear rule says, and in newtons where that is of tension or strength; empty takes the material's.", {canTear}, {.range = notNegative, .traits = {Looks, Counts}}),
+        property<&Link::stiffnessFactor> ("stiffnessFactor", "Stiffness factor", "", Recompile, "How many times as stiff the link is as its material makes it: above 1 where it is reinforced, below where it is worn; a stiffness of its own is taken as it is, and bending is not touched.", {takesStiffness}, {.range = factors, .traits = {Structure, Looks}, .usual = decades(0.1, 10.0)}),
+        property<&Link::strengthFactor>  ("strengthFactor", "Strength factor", "", Recompile, "How many times as strong the link is as its material makes it, for tears, snapping spars and margins: below 1 where it is worn or sewn; a tear limit of its own is taken as it is.", {}, {.range = factors, .traits = {Structure, Looks}, .usual = decades(0.1, 10.0)}),
 
         property<&Panel::a>              ("a",           "Corner a",     "",        Recompile,   "First corner.", {}, {.pointsAt = particles, .traits = {Structure}}),
         property<&Panel::b>              ("b",           "Corner b",     "",        Recompile,   "Second corner.", {}, {.pointsAt = particles, .traits = {Structure}}),
@@ -170,7 +173,9 @@ std::span<const Property> allProperties()
         property<&Panel::restAB>         ("restAB",      "Rest length ab", "m",     Recompile,   "Length of the side from a to b without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.", {isElasticFabric}, {.range = notNegative, .traits = {Own, Structure}}),
         property<&Panel::restBC>         ("restBC",      "Rest length bc", "m",     Recompile,   "Length of the side from b to c without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.", {isElasticFabric}, {.range = notNegative, .traits = {Own, Structure}}),
         property<&Panel::restCA>         ("restCA",      "Rest length ca", "m",     Recompile,   "Length of the side from c to a without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.", {isElasticFabric}, {.range = notNegative, .traits = {Own, Structure}}),
-        property<&Panel::grain>          ("grain",       "Grain",        "deg",     Recompile,   "Angle from the side ab, towards c, at which the warp of the cloth runs, where panels carry the pull of the fabric.", {isElasticFabric}, {.range = {0.0, 180.0}, .traits = {Own, Structure}}),
+        property<&Panel::grain>          ("grain",       "Grain",        "deg",     Recompile,   "Angle from the side ab, towards c, at which the warp of the cloth runs, where panels carry the pull of the fabric.", {isElasticFabric}, {.range = {0.0, 180.0}, .traits = {Own, Structure, Looks}}),
+        property<&Panel::stiffnessFactor>("stiffnessFactor", "Stiffness factor", "", Recompile, "How many times as stiff the panel is in its plane as its material makes it, where panels carry the pull of the fabric: above 1 where cloth lies double, below where it is worn.", {isElasticFabric}, {.range = factors, .traits = {Structure, Looks}, .usual = decades(0.1, 10.0)}),
+        property<&Panel::strengthFactor> ("strengthFactor", "Strength factor", "", Recompile, "How many times as strong the panel is as its material makes it, for tears and margins, where panels carry the pull of the fabric: below 1 where it is worn or sewn.", {isElasticFabric}, {.range = factors, .traits = {Structure, Looks}, .usual = decades(0.1, 10.0)}),
         property<&Panel::material>       ("material",    "Material",     "",        Recompile,   "Gives the colour and the law of its air load.", {}, {.pointsAt = materials, .traits = {Looks, Counts}}),
 
         property<&Part::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),

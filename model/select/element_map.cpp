@@ -9,6 +9,8 @@
 #include "select/elements.h"
 #include "shapes/shape_files.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,13 +52,13 @@ Spot spotOf(const Scene& scene, const std::vector<Id>& particles)
     return spot;
 }
 
-Spot spotOf(const Scene& scene, const ConstRef& element)
+std::vector<Id> particlesOf(const ConstRef& element)
 {
     if (const auto* link = std::get_if<const Link*>(&element))
-        return spotOf(scene, {(*link)->from, (*link)->to});
+        return {(*link)->from, (*link)->to};
     if (const auto* panel = std::get_if<const Panel*>(&element))
-        return spotOf(scene, {(*panel)->a, (*panel)->b, (*panel)->c});
-    return spotOf(scene, {std::get<const Particle*>(element)->id});
+        return {(*panel)->a, (*panel)->b, (*panel)->c};
+    return {std::get<const Particle*>(element)->id};
 }
 
 // What the material gives a link that has no number of its own; nothing where it gives none.
@@ -66,12 +68,12 @@ std::optional<double> ofItsMaterial(const Scene& scene, const Property& property
     if (!material)
         return std::nullopt;
     if (isOneOf<&Link::stiffness>(property))
-        return springStiffness(*material, link.role, link.width, link.restLength);
+        return springStiffness(*material, link);
     if (isOneOf<&Link::damping>(property))
         return material->damping;
     if (isOneOf<&Link::compliance>(property))
-        return rodCompliance(*material, link.role, link.width, link.restLength);
-    const TearLimit tear = linkTearOf(*material, link.role, link.width, {});
+        return rodCompliance(*material, link);
+    const TearLimit tear = linkTearOf(*material, link.role, link.width, {}, link.strengthFactor);
     return tear.rule == TearRule::Never ? std::nullopt : std::optional(tear.limit);
 }
 
@@ -84,6 +86,45 @@ std::optional<double> presentValue(const Scene& scene, const Property& property,
     const auto* link = std::get_if<const Link*>(&element);
     return link ? ofItsMaterial(scene, property, **link) : std::nullopt;
 }
+
+// Where the picture lies on the elements: by their texture, or over the box around them.
+class PicturePlace
+{
+public:
+    PicturePlace(const Scene& scene, const Property& property, const std::vector<Id>& elements)
+    {
+        for (const Id id : elements)
+            if (const auto element = find(scene, id); element && kindOf(*element) == property.kind)
+                for (const Id particle : particlesOf(*element))
+                    if (const Particle* row = particleOf(scene, particle)) {
+                        m_isPrinted |= row->textureU != 0.0 || row->textureV != 0.0;
+                        m_box.extend(row->position);
+                    }
+        Eigen::Index least = 2;
+        if (!m_box.isEmpty())
+            m_box.sizes().minCoeff(&least);
+        m_across = least == 0 ? 2 : 0;
+        m_up = least == 1 ? 2 : 1;
+    }
+
+    std::pair<double, double> operator()(const Spot& spot) const // u and v
+    {
+        return m_isPrinted ? std::pair(spot.u, spot.v)
+                           : std::pair(share(spot, m_across), share(spot, m_up));
+    }
+
+private:
+    double share(const Spot& spot, Eigen::Index axis) const
+    {
+        const double size = m_box.sizes()[axis];
+        return size > 0.0 ? (spot.place[axis] - m_box.min()[axis]) / size : 0.0;
+    }
+
+    bool m_isPrinted = false;
+    Eigen::AlignedBox3d m_box; // m
+    Eigen::Index m_across = 0;
+    Eigen::Index m_up = 1;
+};
 
 // Between the points of the picture, whose first row is its top, v = 1.
 double greyAt(const HeightGrid& picture, double u, double v)
@@ -123,25 +164,27 @@ Result<MappedNumbers> mapped(const Scene& scene, const Property& property,
     if (uses(Grey) && !picture)
         return Failure("The formula asks for grey, and there is no picture: name one.");
 
+    const PicturePlace lies(scene, property, elements);
     SetValues values{&property, {}, {}};
     MappedNumbers made;
     for (const Id id : elements) {
         const auto element = find(scene, id);
         if (!element || kindOf(*element) != property.kind)
             continue;
-        const Spot spot = spotOf(scene, *element);
+        const Spot spot = spotOf(scene, particlesOf(*element));
         const auto present = presentValue(scene, property, *element);
         if (uses(Present) && !present)
             return Failure("The formula asks for the value of link %1, which has none: its "
                            "material never tears. Choose what it tears by, or leave out value.",
                            std::uint32_t(id));
+        const auto [across, up] = lies(spot);
         const std::array<double, nameCount> at{spot.place.x(),
                                                spot.place.y(),
                                                spot.place.z(),
                                                spot.u,
                                                spot.v,
                                                present.value_or(0.0),
-                                               picture ? greyAt(*picture, spot.u, spot.v) : 0.0};
+                                               picture ? greyAt(*picture, across, up) : 0.0};
         const double number = read->value(at);
         if (const auto why = refusal(property, number))
             return Failure("At %1 %2 the formula gives %3, and %4 %5.", kindName(property.kind),

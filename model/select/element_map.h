@@ -4,7 +4,9 @@
 //     x, y, z   m, the middle of the element in the scene
 //     u, v      texture of the middle, 0 to 1 across and up the picture on the fabric
 //     value     what it has now; a link without a number of its own, what its material gives it
-//     grey      of the picture at u, v: 0 is black and 1 white
+//     grey      of the picture at u, v: 0 is black and 1 white; where no element has a texture, of
+//               the picture laid over all of them as they lie, along the two longer sides of the
+//               box around them
 //
 // Functions are those of formulas (derived/formula.h); numbers have no units and are SI. So
 // "value * (1 - 0.5 * exp(-(x^2 + z^2) / 0.04))" on tear limits is a place of half the strength.

@@ -10,6 +10,7 @@
 #include "shaping/copy.h"
 
 #include "base/key_index.h"
+#include "derived/flat_panel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,20 @@ bool hasRows(const Part& part)
 }
 
 enum class PanelWinding { Kept, Turned };
+
+// Cut like the panel, seen from the other side. Where panels carry no pull they have no cut.
+Panel turned(const Panel& row, const Part& part)
+{
+    const auto at = [&](Id id) {
+        const auto found = std::ranges::lower_bound(part.particles, id, {}, &Particle::id);
+        return found == part.particles.end() ? Vec3(Vec3::Zero()) : found->position;
+    };
+    if (part.carrier == FabricKind::Panels)
+        return turnedOver(row, at(row.a), at(row.b), at(row.c));
+    Panel turned = row;
+    std::swap(turned.b, turned.c);
+    return turned;
+}
 
 // Makes the rows and items of one copy after another, under fresh ids.
 class Copier
@@ -126,11 +141,11 @@ public:
         for (const Panel& row : part.panels) {
             if (isShared(row.a) && isShared(row.b) && isShared(row.c))
                 continue;
-            Panel copy = row;
+            Panel copy = winding == PanelWinding::Turned ? turned(row, part) : row;
             copy.id = take(row.id);
-            copy.a = (*this)(row.a);
-            copy.b = (*this)(winding == PanelWinding::Turned ? row.c : row.b);
-            copy.c = (*this)(winding == PanelWinding::Turned ? row.b : row.c);
+            copy.a = (*this)(copy.a);
+            copy.b = (*this)(copy.b);
+            copy.c = (*this)(copy.c);
             copy.material = (*this)(row.material);
             rows.panels.push_back(copy);
         }

@@ -4,6 +4,7 @@
 // in this order, so that groups never point at what is gone.
 #include "shaping/split.h"
 
+#include "derived/flat_panel.h"
 #include "scene/references.h"
 #include "select/elements.h"
 #include "select/net.h"
@@ -35,7 +36,7 @@ public:
             if (std::ranges::binary_search(ids, row.id))
                 splitLink(row, added, removed);
         for (const Panel& row : part.panels)
-            splitPanel(row, added, removed);
+            splitPanel(part, row, added, removed);
         for (const Particle& row : added.particles)
             m_split.made.push_back(row.id);
         if (removed.links.empty())
@@ -140,10 +141,10 @@ private:
         const bool physical = row.role == LinkRole::Line ? material->axialStiffness.has_value()
                                                          : material->membraneStiffness.has_value();
         if (!physical && row.kind == LinkKind::Spring && !piece.stiffness)
-            piece.stiffness = n * material->stiffness;
+            piece.stiffness = n * row.stiffnessFactor * material->stiffness;
         if (!physical && row.kind == LinkKind::Rod && !piece.compliance
             && material->compliance > 0.0)
-            piece.compliance = material->compliance / n;
+            piece.compliance = material->compliance / (n * row.stiffnessFactor);
         if (row.kind == LinkKind::Spring && !piece.damping && material->damping > 0.0)
             piece.damping = n * material->damping;
         if (material->tearRule == TearRule::Length)
@@ -152,7 +153,7 @@ private:
     }
 
     // Splits side after side, so that a panel with several such sides is split at all of them.
-    void splitPanel(const Panel& row, AddRows& added, RemoveRows& removed)
+    void splitPanel(const Part& part, const Panel& row, AddRows& added, RemoveRows& removed)
     {
         std::vector<std::array<Id, 3>> pieces{{row.a, row.b, row.c}};
         bool isSplit = false;
@@ -177,10 +178,24 @@ private:
         if (!isSplit)
             return;
         removed.panels.push_back(row.id);
-        for (const auto& [a, b, c] : pieces) {
-            const Id id = fresh();
-            m_pieces[row.id].push_back(id);
-            added.panels.push_back({id, a, b, c, row.material});
+        const auto at = [&](Id id) -> Vec3 {
+            const auto found = std::ranges::lower_bound(added.particles, id, {}, &Particle::id);
+            const bool isNew = found != added.particles.end() && found->id == id;
+            const Particle* const particle = isNew ? &*found : particleOf(m_scene, id);
+            return particle ? particle->position : Vec3(Vec3::Zero());
+        };
+        const Vec3 a = at(row.a), ab = at(row.b) - a, ac = at(row.c) - a;
+        const auto shares =
+            part.carrier == FabricKind::Panels ? warpShares(row, a, a + ab, a + ac) : std::nullopt;
+        for (const auto& corner : pieces) {
+            Panel piece{fresh(), corner[0], corner[1], corner[2], row.material};
+            piece.stiffnessFactor = row.stiffnessFactor;
+            piece.strengthFactor = row.strengthFactor;
+            if (shares)
+                piece.grain = grainAlong(at(piece.a), at(piece.b), at(piece.c),
+                                         (*shares)[0] * ab + (*shares)[1] * ac);
+            m_pieces[row.id].push_back(piece.id);
+            added.panels.push_back(piece);
         }
     }
 

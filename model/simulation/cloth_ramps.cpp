@@ -147,7 +147,7 @@ std::vector<ClothRamp> NotedCloth::lawRampsTo(const System& edited, RampWay& way
         ramps.push_back({material, m_time, 0.0, from, to});
         for (const Panel& panel : m_panels)
             if (panel.material == material) {
-                const Vec3 strain = strainAt(Membrane{panel.cut, 0}, panel.corners);
+                const Vec3 strain = strainAt(Membrane{panel.cut, 0, {}}, panel.corners);
                 way.strain = std::max(way.strain, shrinkage(from, to, strain));
                 for (const Vec3& corner : panel.corners)
                     way.box.extend(corner);

@@ -8,6 +8,18 @@
 #include <algorithm>
 
 namespace ripstop {
+namespace {
+
+// Of links where some are not 1, and of elastic panels.
+std::vector<ElementFactors> factorsOf(const System& system)
+{
+    std::vector<ElementFactors> factors = system.linkFactors;
+    for (const Membrane& membrane : system.membranes)
+        factors.push_back(membrane.factors);
+    return factors;
+}
+
+} // namespace
 
 void LoadWatch::look(const System& system, const State& state)
 {
@@ -31,9 +43,12 @@ void LoadWatch::prepare(const System& system, const State& state)
     m_isKnown = true;
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
-    if (m_strength != system.strength || m_safetyFactor != system.safetyFactor)
+    const std::vector<ElementFactors> factors = factorsOf(system);
+    if (m_strength != system.strength || m_safetyFactor != system.safetyFactor
+        || m_factors != factors)
         m_ofRun.forget();
     m_strength = system.strength;
+    m_factors = factors;
     m_safetyFactor = system.safetyFactor;
     judge(system, state);
     dropGone(system);

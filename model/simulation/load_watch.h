@@ -45,6 +45,7 @@ private:
     std::uint64_t m_valuesSerial = 0;
     JudgedPlaces m_judged;
     std::vector<Strength> m_strength; // that the list is of
+    std::vector<ElementFactors> m_factors;
     double m_safetyFactor = 1.0;
 };
 

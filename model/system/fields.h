@@ -151,10 +151,10 @@ inline constexpr auto fieldsOf<System> =
            &System::chunkReach, &System::direct, &System::materialAir, &System::bending,
            &System::strength, &System::forces, &System::panels, &System::panelKey, &System::cloth,
            &System::clothTear, &System::membranes, &System::links, &System::linkStuff,
-           &System::springLink, &System::rodLink, &System::tearableSprings, &System::tearableRods,
-           &System::springsAt, &System::rodsAt, &System::panelsAt, &System::panelsBeside,
-           &System::obstacles, &System::fabricLayer, &System::canopies, &System::inputs,
-           &System::shiftedRods, &System::probes, &System::start>;
+           &System::linkFactors, &System::springLink, &System::rodLink, &System::tearableSprings,
+           &System::tearableRods, &System::springsAt, &System::rodsAt, &System::panelsAt,
+           &System::panelsBeside, &System::obstacles, &System::fabricLayer, &System::canopies,
+           &System::inputs, &System::shiftedRods, &System::probes, &System::start>;
 
 // Calls visit(array, the same array in the next state, ...) for each array that has an entry for
 // each of these.

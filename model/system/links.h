@@ -91,6 +91,16 @@ struct LinkStuff
     friend bool operator==(const LinkStuff&, const LinkStuff&) = default;
 };
 
+// How many times as stiff and as strong an element is as its material: a reinforced place, a worn
+// one.
+struct ElementFactors
+{
+    double stiffness = 1.0; // 1
+    double strength = 1.0;  // 1
+
+    friend bool operator==(const ElementFactors&, const ElementFactors&) = default;
+};
+
 struct DragLine // a link that the wind drags
 {
     int link; // index into System::links

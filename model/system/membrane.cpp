@@ -21,9 +21,25 @@ std::array<double, 2> gradient(const Membrane& membrane, int corner)
     }
 }
 
-const ClothLaw& lawOf(const System& system, const Membrane& membrane)
+namespace {
+
+std::size_t materialOf(const System& system, const Membrane& membrane)
 {
-    return system.cloth[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
+    return std::size_t(system.panels[std::size_t(membrane.panel)].air);
+}
+
+} // namespace
+
+ClothLaw lawOf(const System& system, const Membrane& membrane)
+{
+    return system.cloth[materialOf(system, membrane)].times(membrane.factors.stiffness);
+}
+
+FabricTear tearOf(const System& system, const Membrane& membrane)
+{
+    return system.clothTear.empty() ? FabricTear()
+                                    : timesStrength(system.clothTear[materialOf(system, membrane)],
+                                                    membrane.factors.strength);
 }
 
 namespace {
@@ -49,13 +65,13 @@ Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& n
 
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
 {
-    const ClothLaw& law = lawOf(system, membrane);
+    const ClothLaw law = lawOf(system, membrane);
     return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
 }
 
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
 {
-    const ClothLaw& law = lawOf(system, membrane);
+    const ClothLaw law = lawOf(system, membrane);
     if (!law.isElastic())
         return {};
     const Vec3 strain = strainAt(membrane, corners);
@@ -81,14 +97,14 @@ double largestStrain(const Vec3& strain)
 
 double largestStrain(const System& system, const Membrane& membrane, const Corners& corners)
 {
-    const ClothLaw& law = lawOf(system, membrane);
+    const ClothLaw law = lawOf(system, membrane);
     return law.isElastic() ? largestStrain(pullingStrain(law, strainAt(membrane, corners))) : 0.0;
 }
 
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,
               const Corners& to, double h)
 {
-    const ClothLaw& law = lawOf(system, membrane);
+    const ClothLaw law = lawOf(system, membrane);
     if (!law.isElastic() || law.dampingTime == 0.0)
         return 0.0;
     const Vec3 change =

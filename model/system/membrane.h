@@ -31,7 +31,11 @@ inline Vec3 strainOf(const ClothAxes& axes) // as ClothLaw has it
 // d(warp, weft) of the barycentric coordinate of a corner, 1/m.
 std::array<double, 2> gradient(const Membrane& membrane, int corner);
 
-const ClothLaw& lawOf(const System& system, const Membrane& membrane);
+// That of its material, as stiff as this panel is of it.
+ClothLaw lawOf(const System& system, const Membrane& membrane);
+
+// At what it tears, likewise.
+FabricTear tearOf(const System& system, const Membrane& membrane);
 
 using Corners = std::array<Vec3, 3>; // m
 

@@ -7,6 +7,7 @@
 
 #include "laws/air_laws.h"
 #include "system/key.h"
+#include "system/links.h"
 
 #include <array>
 #include <vector>
@@ -61,10 +62,11 @@ struct PanelCut
 };
 
 // A panel that carries the pull of the fabric: a triangle of constant strain. Its law is that of
-// the panel's material in System::cloth.
+// the panel's material in System::cloth, times its factors.
 struct Membrane : PanelCut
 {
     int panel = 0; // index into System::panels
+    ElementFactors factors;
 
     friend bool operator==(const Membrane&, const Membrane&) = default;
 };

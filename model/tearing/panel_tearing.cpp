@@ -27,11 +27,11 @@ const Membrane* membraneOf(const System& system, int panel)
 
 PanelVerdict judge(const System& system, const State& state, const Membrane& membrane)
 {
-    const auto material = std::size_t(system.panels[std::size_t(membrane.panel)].air);
-    if (system.clothTear.empty() || system.clothTear[material].rule == TearRule::Never)
+    const FabricTear tear = tearOf(system, membrane);
+    if (tear.rule == TearRule::Never)
         return {};
     const PanelPull pull = pullOf(system, membrane, cornersOf(system, membrane, state.position));
-    return {threadLoad(pull, system.clothTear[material]), pull};
+    return {threadLoad(pull, tear), pull};
 }
 
 Vec3 directionOf(const System& system, const State& state, const Membrane& membrane, int threads)

@@ -35,13 +35,6 @@ double angleAt(const FlatCorners& flat, std::size_t k)
     return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
-double tearEnergyOf(const System& system, int panel)
-{
-    return system.clothTear.empty()
-               ? 0.0
-               : system.clothTear[std::size_t(system.panels[std::size_t(panel)].air)].energy;
-}
-
 std::span<const int> panelsAt(const System& system, int particle)
 {
     const Rows& rows = system.panelsAt;
@@ -54,7 +47,9 @@ std::span<const int> panelsAt(const System& system, int particle)
 
 bool TearTips::isNear(const System& system, int panel) const
 {
-    return !m_near.empty() && m_near[std::size_t(panel)] && tearEnergyOf(system, panel) > 0.0;
+    return !m_near.empty() && m_near[std::size_t(panel)]
+           && tearOf(system, system.membranes[std::size_t(m_membrane[std::size_t(panel)])]).energy
+                  > 0.0;
 }
 
 bool TearTips::isTip(const System& system, const State& state, int particle) const
@@ -258,14 +253,15 @@ double TearTips::forceAt(const System& system, const State& state, const Tip& ti
 int TearTips::weakestOf(const System& system, const State& state, const Tip& tip) const
 {
     int weakest = -1;
-    double most = 0.0; // N/m
+    double most = 0.0; // N/m, over how strong the panel is of its material
     for (const RingPanel& panel : tip) {
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        if (!panel.atTip || !(tearEnergyOf(system, membrane.panel) > 0.0))
+        if (!panel.atTip || !(tearOf(system, membrane).energy > 0.0))
             continue;
         const PanelPull pull =
             pullOf(system, membrane, cornersOf(system, membrane, state.position));
-        if (const double pulls = std::max(pull.warp, pull.weft); pulls > most) {
+        if (const double pulls = std::max(pull.warp, pull.weft) / membrane.factors.strength;
+            pulls > most) {
             most = pulls;
             weakest = panel.membrane;
         }
@@ -286,15 +282,14 @@ const std::vector<TearTips::Driven>& TearTips::overdriven(const System& system, 
     for (const Tip& tip : m_tips) {
         const double force = forceAt(system, state, tip);
         const auto bearsIt = [&](const RingPanel& panel) {
-            return force
-                   <= tearEnergyOf(system, system.membranes[std::size_t(panel.membrane)].panel);
+            return force <= tearOf(system, system.membranes[std::size_t(panel.membrane)]).energy;
         };
         if (std::ranges::all_of(tip, bearsIt))
             continue; // without a search for what pulls most
         const int weakest = weakestOf(system, state, tip);
         if (weakest < 0)
             continue;
-        const double bears = tearEnergyOf(system, system.membranes[std::size_t(weakest)].panel);
+        const double bears = tearOf(system, system.membranes[std::size_t(weakest)]).energy;
         if (force > bears)
             hard.push_back({force / bears, &tip, {weakest, std::sqrt(force / bears)}});
     }

@@ -86,7 +86,7 @@ double strainUnder(double force, double stiffness)
     return low;
 }
 
-const ClothLaw& lawOf(const Simulation& simulation)
+ClothLaw lawOf(const Simulation& simulation)
 {
     return ripstop::lawOf(simulation.system(), simulation.system().membranes[0]);
 }

@@ -105,6 +105,26 @@ private slots:
         QCOMPARE(numberAt(scene, rest, Id{5}), 0.5);
     }
 
+    // The same picture laid over particles at (0, 0, 0), (2, 4, 6) and (1, 0, 0) that have no
+    // texture: along z and y, as x is the shortest side.
+    void picturesLieOverWhatHasNoTexture()
+    {
+        Scene scene = smallScene();
+        for (Particle& particle : std::get<Part>(scene.items.back().item).particles)
+            particle.textureU = particle.textureV = 0.0;
+        HeightGrid picture;
+        picture.columns = picture.rows = 2;
+        picture.height = {0.0, 1.0, 0.0, 1.0};
+        const Property& strength = propertyOf<&Link::strengthFactor>();
+        (void)apply(scene, mapped(scene, strength, {Id{5}}, "0.2 + 0.8 * grey", &picture)->edit);
+        NEAR(numberAt(scene, strength, Id{5}), 0.6, 1e-12);
+        const Property& mass = propertyOf<&Particle::mass>();
+        (void)apply(scene, mapped(scene, mass, {Id{2}, Id{3}, Id{4}}, "grey", &picture)->edit);
+        QCOMPARE(numberAt(scene, mass, Id{2}), 0.0);
+        QCOMPARE(numberAt(scene, mass, Id{3}), 1.0);
+        QCOMPARE(numberAt(scene, mass, Id{4}), 0.0);
+    }
+
     void refusals_data()
     {
         QTest::addColumn<QString>("key");

@@ -138,6 +138,26 @@ private slots:
         QVERIFY2(isNear(-lowest, expected, 0.01 * expected), told(-lowest, expected));
     }
 
+    // Where threads were worn or doubled, so are the panels beside them: all alike as one of
+    // theirs, and one with sides of different threads as their mean.
+    void keepsTheFactorsOfThreads()
+    {
+        Scene scene = imported(false, FabricKind::Threads);
+        for (Link& link : firstOf<Part>(scene).links) {
+            link.strengthFactor = 0.5;
+            link.stiffnessFactor = 2.0;
+        }
+        const Panel first = firstPart(scene).panels.front();
+        for (Link& link : firstOf<Part>(scene).links)
+            if (std::minmax(link.from, link.to) == std::minmax(first.a, first.b))
+                link.strengthFactor = 0.2;
+        const Scene made = converted(scene);
+        QCOMPARE(firstPart(made).panels.front().strengthFactor, 0.4); // (0.2 + 0.5 + 0.5) / 3
+        for (const Panel& panel : firstPart(made).panels)
+            QCOMPARE(panel.stiffnessFactor, 2.0);
+        QCOMPARE(firstPart(made).panels.back().strengthFactor, 0.5);
+    }
+
     // What is drawn or saved under load has its cut in the lengths of threads.
     void keepsTheCutOfThreads()
     {
