@@ -77,7 +77,7 @@ MenuRows runRows(const Workbench& bench)
     };
     const auto fan = [&bench] {
         take(bench,
-             std::make_unique<FanTool>(bench.player, bench.viewport.hands(), bench.handsChanged));
+             std::make_unique<FanTool>(bench.player, bench.viewport.hands(), bench.toolChanged));
     };
     const auto settle = [&bench] {
         bench.dialogs.showSettle(bench.player, [&bench] { adoptPose(bench); });

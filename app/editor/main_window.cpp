@@ -10,6 +10,7 @@
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/selection.h"
+#include "editor/brush_bar.h"
 #include "editor/draw_bar.h"
 #include "editor/empty_hint.h"
 #include "editor/hand_bar.h"
@@ -111,10 +112,14 @@ void MainWindow::buildActions()
         showTour({*this, m_document, *m_files, *m_viewport, *m_transport, *m_docks,
                   [this] { showScene(); }});
     };
+    const auto toolChanged = [this] {
+        m_handBar->refresh();
+        m_brushBar->refresh();
+    };
     m_menus = std::make_unique<Menus>(
         Workbench{*this, m_document, m_selection, m_player, *m_recordings, *m_viewport,
                   m_drawSettings, *m_docks, *m_files, *m_runFiles, *m_arrivals, m_dialogs,
-                  m_actions, [this] { showStartPage(); }, tour, [this] { m_handBar->refresh(); }});
+                  m_actions, [this] { showStartPage(); }, tour, toolChanged});
     m_actions.takeKeys(m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore);
     connect(m_start, &StartPage::tourRequested, this, tour);
 }
@@ -136,6 +141,7 @@ void MainWindow::buildBarsOfView()
     addToolStrip(*m_viewport, m_actions);
     new EmptyHint(m_document, *m_viewport);
     new TransformBar(*m_viewport);
+    m_brushBar = new BrushBar(m_document, *m_viewport, m_actions);
     new DrawBar(m_document, *m_viewport, m_drawSettings, m_actions);
 }
 

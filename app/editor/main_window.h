@@ -24,6 +24,7 @@ namespace ripstop {
 
 class Arrivals;
 class Document;
+class BrushBar;
 class HandBar;
 class KeptWork;
 class Menus;
@@ -99,6 +100,7 @@ private:
     std::unique_ptr<Docks> m_docks;
     std::unique_ptr<Menus> m_menus; // goes before the view, whose tools speak until the end
     HandBar* m_handBar = nullptr;
+    BrushBar* m_brushBar = nullptr;
     QToolBar* m_toolBar = nullptr;
 };
 

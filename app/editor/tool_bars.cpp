@@ -23,7 +23,7 @@ constexpr Buttons barGroups[]{
 
 constexpr Buttons stripGroups[]{
     {"toolPointer", "toolBox", "toolLasso"},
-    {"drawParticles", "drawLinks", "drawPanels"},
+    {"drawParticles", "drawLinks", "drawPanels", "toolBrush"},
     {"toolGrab", "toolCut", "toolFan"},
     {"takeParticles", "takeLinks", "takePanels"},
     {"through"},

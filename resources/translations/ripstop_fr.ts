@@ -69,6 +69,126 @@
         <translation>longueurs, rang 1, colonne 11 : plus de 10 niveaux feraient plus de mille lignes dans chaque rang.</translation>
     </message>
     <message>
+        <location filename="brush.cpp"/>
+        <source>Paint %1</source>
+        <translation>Peindre : %1</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Drag over the fabric. Ctrl and the wheel, or [ and ], change the radius. Esc gives a stroke up.</source>
+        <translation>Tirez sur le tissu. Ctrl et la molette, ou [ et ], changent le rayon. Échap abandonne le trait.</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Falloff</source>
+        <translation>Atténuation</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Grain</source>
+        <translation>Droit-fil</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Hard</source>
+        <translation>Net</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>How far the brush reaches from the cursor; [ and ], or Ctrl and the wheel, change it.</source>
+        <translation>Jusqu’où le pinceau agit autour du curseur ; [ et ], ou Ctrl et la molette, le changent.</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>How far the warp is turned from the way that the picture on the fabric goes up, counterclockwise as one sees the front of the panels.</source>
+        <translation>De combien la chaîne est tournée par rapport au haut de l’image imprimée sur le tissu, dans le sens inverse des aiguilles d’une montre, les panneaux vus de face.</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>How many times as stiff as its material the fabric is to be: above 1 where cloth lies double, below where it is worn; 1 takes the paint off.</source>
+        <translation>Combien de fois le tissu doit être plus raide que son matériau : plus de 1 là où il est doublé, moins là où il est usé ; 1 enlève la peinture.</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>How many times as strong as its material the fabric is to be: below 1 where it is worn, above where it is reinforced; 1 takes the paint off.</source>
+        <translation>Combien de fois le tissu doit être plus résistant que son matériau : moins de 1 là où il est usé, plus là où il est renforcé ; 1 enlève la peinture.</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Mirror</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Paint</source>
+        <translation>Peindre</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Paint the other side of the plane x = 0 as well.</source>
+        <translation>Peindre aussi l’autre côté du plan x = 0.</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Painted</source>
+        <translation>Peint</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Soft</source>
+        <translation>Doux</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Soft: less and less towards the edge of the brush. Hard: all alike.</source>
+        <translation>Doux : de moins en moins vers le bord du pinceau. Net : partout pareil.</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>Strength</source>
+        <translation>Résistance</translation>
+    </message>
+    <message>
+        <location filename="brush_bar.cpp"/>
+        <source>What the brush paints.</source>
+        <translation>Ce que le pinceau peint.</translation>
+    </message>
+    <message>
+        <location filename="brush_tool.cpp"/>
+        <source>%1 · radius %2 m</source>
+        <translation>%1 · rayon %2 m</translation>
+    </message>
+    <message>
+        <location filename="brush_tool.cpp"/>
+        <source>No panels and no links here to paint.</source>
+        <translation>Il n’y a ici ni panneau ni lien à peindre.</translation>
+    </message>
+    <message>
+        <location filename="brush_tool.cpp"/>
+        <source>No panels here to paint: only parts whose panels carry the pull of the fabric have a grain.</source>
+        <translation>Il n’y a ici aucun panneau à peindre : seules les pièces dont les panneaux portent la traction du tissu ont un droit-fil.</translation>
+    </message>
+    <message>
+        <location filename="brush_tool.cpp"/>
+        <source>grain %1°</source>
+        <translation>droit-fil %1°</translation>
+    </message>
+    <message>
+        <location filename="brush_tool.cpp"/>
+        <source>stiffness × %1</source>
+        <translation>raideur × %1</translation>
+    </message>
+    <message>
+        <location filename="brush_tool.cpp"/>
+        <source>strength × %1</source>
+        <translation>résistance × %1</translation>
+    </message>
+    <message>
         <location filename="builder.cpp"/>
         <source>%1 must be a number from %2 to %3, and is %4.</source>
         <translation>%1 doit être un nombre de %2 à %3, et est %4.</translation>
@@ -815,11 +935,6 @@
     </message>
     <message>
         <location filename="copy.cpp"/>
-        <source>Mirror</source>
-        <translation>Symétrie</translation>
-    </message>
-    <message>
-        <location filename="copy.cpp"/>
         <source>Paste</source>
         <translation>Coller</translation>
     </message>
@@ -1525,6 +1640,11 @@
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
+        <source>Drag over fabric to make it stronger or weaker, stiffer or softer, or to turn its grain: patches, reinforcements, worn places.</source>
+        <translation>Tirer sur le tissu pour le rendre plus ou moins résistant, plus raide ou plus souple, ou pour tourner son droit-fil : pièces, renforts, endroits usés.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
         <source>In which ways the selection, or the design, gives way without a link growing longer, and the rods that would stop it.</source>
         <translation>De quelles façons la sélection, ou le modèle, cède sans qu’une liaison s’allonge, et les tiges qui l’empêcheraient.</translation>
     </message>
@@ -1535,8 +1655,28 @@
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
+        <source>Make the radius of the brush larger.</source>
+        <translation>Agrandir le rayon du pinceau.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Make the radius of the brush smaller.</source>
+        <translation>Réduire le rayon du pinceau.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Narrower brush</source>
+        <translation>Pinceau plus étroit</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
         <source>P&amp;anels</source>
         <translation>Pa&amp;nneaux</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Paint with a &amp;brush</source>
+        <translation>Peindre au &amp;pinceau</translation>
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
@@ -1557,6 +1697,11 @@
         <location filename="draw_rows.cpp"/>
         <source>What gives &amp;way…</source>
         <translation>Ce &amp;qui cède…</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Wider brush</source>
+        <translation>Pinceau plus large</translation>
     </message>
     <message>
         <location filename="draw_tool.cpp"/>
@@ -2860,11 +3005,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="hand_bar.cpp"/>
-        <source>Stiffness</source>
-        <translation>Raideur</translation>
-    </message>
-    <message>
-        <location filename="hand_bar.cpp"/>
         <source>The most that the hand pulls with, however far it goes. Empty, it is five times the weight of all that is free, and 5 N or more.</source>
         <translation>La plus grande force de la main, aussi loin qu’elle aille. Vide, c’est cinq fois le poids de tout ce qui est libre, et au moins 5 N.</translation>
     </message>
@@ -3771,8 +3911,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>Stiffness factor</source>
+        <translation>Facteur de raideur</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>Strain</source>
         <translation>Déformation</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Strength factor</source>
+        <translation>Facteur de résistance</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -3783,6 +3933,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="legend.cpp"/>
         <source>Wrinkles</source>
         <translation>Plis</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>all as their materials</source>
+        <translation>tous comme leurs matériaux</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -10572,11 +10727,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>Grain</source>
-        <translation>Droit-fil</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Gravity</source>
         <translation>Pesanteur</translation>
     </message>
@@ -10879,6 +11029,26 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>How many there are in the end, with the one that is there.</source>
         <translation>Combien il y en a à la fin, avec celui qui est là.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many times as stiff the link is as its material makes it: above 1 where it is reinforced, below where it is worn; a stiffness of its own is taken as it is, and bending is not touched.</source>
+        <translation>Combien de fois le lien est plus raide que ne le fait son matériau : plus de 1 là où il est renforcé, moins là où il est usé ; une raideur propre est prise telle quelle, et la flexion n’est pas touchée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many times as stiff the panel is in its plane as its material makes it, where panels carry the pull of the fabric: above 1 where cloth lies double, below where it is worn.</source>
+        <translation>Combien de fois le panneau est plus raide dans son plan que ne le fait son matériau, là où les panneaux portent la traction du tissu : plus de 1 là où le tissu est doublé, moins là où il est usé.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many times as strong the link is as its material makes it, for tears, snapping spars and margins: below 1 where it is worn or sewn; a tear limit of its own is taken as it is.</source>
+        <translation>Combien de fois le lien est plus résistant que ne le fait son matériau, pour les déchirures, les espars qui cassent et les marges : moins de 1 là où il est usé ou cousu ; une limite de déchirure propre est prise telle quelle.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many times as strong the panel is as its material makes it, for tears and margins, where panels carry the pull of the fabric: below 1 where it is worn or sewn.</source>
+        <translation>Combien de fois le panneau est plus résistant que ne le fait son matériau, pour les déchirures et les marges, là où les panneaux portent la traction du tissu : moins de 1 là où il est usé ou cousu.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12997,11 +13167,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>Strength</source>
-        <translation>Résistance</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Stretch of a rod per newton, 0 never stretches; empty takes the material's.</source>
         <translation>Allongement d’une tige par newton, 0 ne s’allonge jamais ; vide, celui du matériau.</translation>
     </message>
@@ -14159,6 +14324,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>the line diameter is 0</source>
         <translation>le diamètre de ligne est 0</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the link has a stiffness of its own</source>
+        <translation>le lien a sa propre raideur</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15794,6 +15964,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Colour by grain</source>
+        <translation>Colorer par droit-fil</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Colour by margin</source>
         <translation>Colorer par marge</translation>
     </message>
@@ -15806,6 +15981,16 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="view_rows.cpp"/>
         <source>Colour by s&amp;peed</source>
         <translation>Colorer par vit&amp;esse</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by stiffness factor</source>
+        <translation>Colorer par facteur de raideur</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by strength factor</source>
+        <translation>Colorer par facteur de résistance</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -15849,6 +16034,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Draw the warp of elastic panels as short strokes.</source>
+        <translation>Dessiner la chaîne des panneaux élastiques par de petits traits.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Draw the ways that the selected particles have come in the last five seconds; of those that probes look at when none is selected.</source>
         <translation>Tracer le chemin des particules sélectionnées pendant les cinq dernières secondes ; sans sélection, de celles que regardent les sondes.</translation>
     </message>
@@ -15871,6 +16061,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="view_rows.cpp"/>
         <source>How far links and elastic panels are stretched.</source>
         <translation>De combien les liaisons et les panneaux élastiques sont étirés.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How far the warp of elastic panels is turned from the way that the picture on the fabric goes up.</source>
+        <translation>De combien la chaîne des panneaux élastiques est tournée par rapport au haut de l’image imprimée sur le tissu.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -15906,6 +16101,16 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="view_rows.cpp"/>
         <source>How hard the fabric pulls per width: the largest tension of elastic panels, that of threads over the width that they stand for.</source>
         <translation>Traction du tissu par largeur : la plus grande tension des panneaux élastiques, celle des fils sur la largeur qu’ils représentent.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How many times as stiff elements are as their materials: reinforced and worn places.</source>
+        <translation>Combien de fois les éléments sont plus raides que leurs matériaux : endroits renforcés ou usés.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How many times as strong elements are as their materials: reinforced and worn places.</source>
+        <translation>Combien de fois les éléments sont plus résistants que leurs matériaux : endroits renforcés ou usés.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -15991,6 +16196,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="view_rows.cpp"/>
         <source>Show centre of &amp;gravity</source>
         <translation>Montrer le centre de grav&amp;ité</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show grain</source>
+        <translation>Montrer le droit-fil</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>

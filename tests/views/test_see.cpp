@@ -2,6 +2,7 @@
 //
 // Stages: colours by tear load and stress; the ghost of the design; trails; the range of colours
 // and the peak; then arrows, and how many of them are drawn.
+#include "layers/grain_layer.h"
 #include "layers/vector_layer.h"
 #include "look/design_ghost.h"
 #include "look/quantity_values.h"
@@ -71,6 +72,44 @@ private slots:
         const QuantityValues values = valuesOf(frame(), ColorBy::TearLoad, look);
         QCOMPARE(values.link[0], expected);
         QCOMPARE(values.link[1], 0.0);
+    }
+
+    // Of links their own; a panel that carries has its own as well, and another one the mean of
+    // what its corners have: (2 + 2.5 + 3) / 3.
+    void factors()
+    {
+        Look look;
+        look.linkPainted = {{2.0, 0.5}, {3.0, 1.0}};
+        look.panelPainted = {{4.0, 0.25}};
+        look.panelWarp = {{}};
+        const QuantityValues threads = valuesOf(frame(), ColorBy::Stiffness, look);
+        QCOMPARE(threads.link, (std::vector<double>{2.0, 3.0}));
+        QCOMPARE(threads.panel, std::vector<double>{2.5});
+        QVERIFY(threads.isKnown);
+        look.panelWarp[0].isThere = true;
+        QCOMPARE(valuesOf(frame(), ColorBy::Strength, look).panel, std::vector<double>{0.25});
+        look.linkPainted = {{}, {}};
+        look.panelPainted = {{}};
+        QVERIFY(!valuesOf(frame(), ColorBy::Strength, look).isKnown); // nothing is painted
+    }
+
+    // Panels that do not carry have no grain and are grey; the peak is of those that have one.
+    void grain()
+    {
+        Look look;
+        look.panelWarp = {{}};
+        QVERIFY(!valuesOf(frame(), ColorBy::Grain, look).isKnown);
+        QVERIFY(std::isnan(valuesOf(frame(), ColorBy::Grain, look).panel[0]));
+        look.panelWarp = {{true, {1.0, 0.0}, 30.0}};
+        const QuantityValues values = valuesOf(frame(), ColorBy::Grain, look);
+        QCOMPARE(values.panel, std::vector<double>{30.0});
+        QCOMPARE(peakOf(frame(), values).id, 31U);
+        // along ab, around the middle, and longer where the panel is larger
+        const std::array<Vec3, 3> corners{Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(3, 3, 0)};
+        const auto [from, to] = grainStroke(look.panelWarp[0], corners);
+        QVERIFY(((from + to) / 2.0 - Vec3(2, 1, 0)).norm() < 1e-12);
+        QVERIFY((to - from).normalized().isApprox(Vec3::UnitX()));
+        QVERIFY(std::abs((to - from).norm() - 0.6 * 3.0) < 1e-12);
     }
 
     // 30 N in a thread that stands for 0.02 m of fabric are 1500 N/m; a line has no width.

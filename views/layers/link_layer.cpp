@@ -99,7 +99,10 @@ void LinkLayer::update(const Picture& picture)
 void LinkLayer::paint(const Picture& picture, Lines& lines)
 {
     const QuantityValues& values = picture.values;
-    if (picture.colorBy == ColorBy::PanelLoad || picture.colorBy == ColorBy::Wrinkles) {
+    const bool isOfPanels = picture.colorBy == ColorBy::PanelLoad
+                            || picture.colorBy == ColorBy::Wrinkles
+                            || picture.colorBy == ColorBy::Grain;
+    if (isOfPanels) {
         setColor(*lines.actor->GetProperty(), picture.theme.neutral);
         colorByProperty(*lines.data, *lines.mapper);
     } else if (picture.colorBy == ColorBy::Speed) {

@@ -9,17 +9,21 @@
 // changesLook() asks the property of each change whether it shows; changes of structure always do.
 #include "look/look.h"
 
+#include "derived/flat_panel.h"
 #include "derived/tear_bounds.h"
+#include "select/elements.h"
 
 #include <map>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace ripstop {
 namespace {
 
 constexpr Color unknownColor{150, 150, 150};
+constexpr double rounding = 1e-9; // degrees
 
 // Where the elements of the scene are, by id. It is not an array indexed by id, as a file may
 // number its three particles in the billions.
@@ -125,6 +129,21 @@ void lookAtParticles(Directory& directory, const Layout& layout, Look& look)
         look.texture.clear();
 }
 
+Look::Warp warpOf(const Scene& scene, const Panel& panel)
+{
+    const Particle* const a = particleOf(scene, panel.a);
+    const Particle* const b = particleOf(scene, panel.b);
+    const Particle* const c = particleOf(scene, panel.c);
+    if (!a || !b || !c)
+        return {};
+    const auto shares = warpShares(panel, a->position, b->position, c->position);
+    if (!shares)
+        return {};
+    const double turn = std::remainder(panel.grain - uprightGrain(*a, *b, *c), 180.0);
+    // a warp across is the same either way, whatever rounding made of it
+    return {true, *shares, turn < rounding - 90.0 ? turn + 180.0 : turn};
+}
+
 } // namespace
 
 Look lookOf(const Scene& scene, const Layout& layout)
@@ -138,6 +157,7 @@ Look lookOf(const Scene& scene, const Layout& layout)
     look.linkColor.assign(layout.links.size(), unknownColor);
     look.linkTear.assign(layout.links.size(), {});
     look.linkWidth.assign(layout.links.size(), 0.0);
+    look.linkPainted.assign(layout.links.size(), {});
     for (std::size_t i = 0; i < layout.links.size(); ++i) {
         const Directory::Row* row = directory.find(layout.links[i].id);
         if (!row || row->index >= row->part->links.size())
@@ -146,24 +166,31 @@ Look lookOf(const Scene& scene, const Layout& layout)
         look.linkShown[i] = row->part->shown && paint.shown;
         look.linkColor[i] = paint.color;
         const Link& link = row->part->links[row->index];
-        look.linkTear[i] = paint.tears
-                               ? linkTearOf(*paint.tears, link.role, link.width, link.tearLimit)
-                               : TearLimit();
+        look.linkTear[i] = paint.tears ? linkTearOf(*paint.tears, link.role, link.width,
+                                                    link.tearLimit, link.strengthFactor)
+                                       : TearLimit();
+        look.linkPainted[i] = {link.stiffnessFactor, link.strengthFactor};
         look.linkWidth[i] = link.role == LinkRole::Line ? 0.0 : link.width;
     }
 
     look.panelShown.assign(layout.panelId.size(), 0);
     look.panelColor.assign(layout.panelId.size(), unknownColor);
     look.panelTear.assign(layout.panelId.size(), {});
+    look.panelPainted.assign(layout.panelId.size(), {});
+    look.panelWarp.assign(layout.panelId.size(), {});
     for (std::size_t i = 0; i < layout.panelId.size(); ++i) {
         const Directory::Row* row = directory.find(layout.panelId[i]);
         if (!row || row->index >= row->part->panels.size())
             continue;
-        const Paint paint = paintOf(paints, row->part->panels[row->index].material);
+        const Panel& panel = row->part->panels[row->index];
+        const Paint paint = paintOf(paints, panel.material);
         look.panelShown[i] = row->part->shown && paint.shown;
         look.panelColor[i] = paint.color;
+        look.panelPainted[i] = {panel.stiffnessFactor, panel.strengthFactor};
+        if (row->part->carrier == FabricKind::Panels)
+            look.panelWarp[i] = warpOf(scene, panel);
         if (paint.tears)
-            look.panelTear[i] = fabricTearOf(*paint.tears);
+            look.panelTear[i] = timesStrength(fabricTearOf(*paint.tears), panel.strengthFactor);
     }
     return look;
 }

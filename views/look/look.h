@@ -21,15 +21,30 @@ using Color = std::array<std::uint8_t, 3>; // red, green, blue, 0 .. 255
 
 struct Look
 {
-    std::vector<std::uint8_t> particleShown; // [particles]
-    std::vector<std::uint8_t> isWeight;      // [particles] free, and heavy for its part
-    std::vector<std::uint8_t> linkShown;     // [links]
-    std::vector<Color> linkColor;            // [links]
-    std::vector<TearLimit> linkTear;         // [links]
-    std::vector<double> linkWidth;           // [links] m, of the strip of fabric; 0 for none
-    std::vector<std::uint8_t> panelShown;    // [panels]
-    std::vector<Color> panelColor;           // [panels]
-    std::vector<FabricTear> panelTear;       // [panels]
+    struct PaintedFactors // what an element has of its material
+    {
+        double stiffness = 1.0; // 1
+        double strength = 1.0;  // 1
+    };
+    struct Warp // of a panel that carries the pull of the fabric
+    {
+        bool isThere = false;
+        std::array<double, 2> shares{}; // derived/flat_panel.h
+        double turn = 0.0;              // degrees, -90 to 90, from the way that the print goes up
+    };
+
+    std::vector<std::uint8_t> particleShown;  // [particles]
+    std::vector<std::uint8_t> isWeight;       // [particles] free, and heavy for its part
+    std::vector<std::uint8_t> linkShown;      // [links]
+    std::vector<Color> linkColor;             // [links]
+    std::vector<TearLimit> linkTear;          // [links]
+    std::vector<double> linkWidth;            // [links] m, of the strip of fabric; 0 for none
+    std::vector<std::uint8_t> panelShown;     // [panels]
+    std::vector<Color> panelColor;            // [panels]
+    std::vector<FabricTear> panelTear;        // [panels]
+    std::vector<PaintedFactors> linkPainted;  // [links]
+    std::vector<PaintedFactors> panelPainted; // [panels]
+    std::vector<Warp> panelWarp;              // [panels]
 
     // [particles] places on the cloth, 1; empty when no particle has one.
     std::vector<std::array<float, 2>> texture;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace ripstop {
@@ -58,6 +59,34 @@ void takePanels(const Frame& frame, QuantityValues& values, ValueOf valueOf)
 void takePanels(const Frame& frame, double PanelPull::*value, QuantityValues& values)
 {
     takePanels(frame, values, [&](std::size_t i) { return frame.panelPull[i].*value; });
+}
+
+// Of each panel that carries the pull of a fabric its own, of each other one the mean of the links
+// that end at its corners.
+void takePainted(const Frame& frame, const Look& look, double Look::PaintedFactors::*factor,
+                 QuantityValues& values)
+{
+    const auto valueOf = [factor](const Look::PaintedFactors& painted) { return painted.*factor; };
+    const auto& links = frame.layout->links;
+    std::vector<double> ends(frame.position.size(), 0.0);
+    values.particle.assign(frame.position.size(), 0.0);
+    std::ranges::transform(look.linkPainted, std::back_inserter(values.link), valueOf);
+    for (std::size_t i = 0; i < std::min(links.size(), values.link.size()); ++i)
+        for (const int end : {links[i].a, links[i].b}) {
+            values.particle[std::size_t(end)] += values.link[i];
+            ends[std::size_t(end)] += 1.0;
+        }
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        values.particle[i] = ends[i] > 0.0 ? values.particle[i] / ends[i] : 1.0;
+    for (std::size_t i = 0; i < look.panelPainted.size(); ++i) {
+        const auto [a, b, c] = frame.layout->panelCorners[i];
+        const auto at = [&](int corner) { return values.particle[std::size_t(corner)]; };
+        values.panel.push_back(look.panelWarp[i].isThere ? valueOf(look.panelPainted[i])
+                                                         : (at(a) + at(b) + at(c)) / 3.0);
+    }
+    const auto isPainted = [](double value) { return value != 1.0; };
+    values.isKnown =
+        std::ranges::any_of(values.link, isPainted) || std::ranges::any_of(values.panel, isPainted);
 }
 
 bool carriesAny(const Frame& frame)
@@ -163,6 +192,20 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
                 values.panel[i] = double(frame.panelPull[i].state);
         values.isKnown = carriesAny(frame);
         break;
+    case ColorBy::Stiffness:
+        takePainted(frame, look, &Look::PaintedFactors::stiffness, values);
+        break;
+    case ColorBy::Strength:
+        takePainted(frame, look, &Look::PaintedFactors::strength, values);
+        break;
+    case ColorBy::Grain: {
+        const auto isThere = [](const Look::Warp& warp) { return warp.isThere; };
+        values.isKnown = std::ranges::any_of(look.panelWarp, isThere);
+        for (const Look::Warp& warp : look.panelWarp)
+            values.panel.push_back(isThere(warp) ? warp.turn
+                                                 : std::numeric_limits<double>::quiet_NaN());
+        break;
+    }
     case ColorBy::PanelLoad: {
         const auto& panels = frame.layout->panelCorners;
         values.panel.assign(panels.size(), 0.0);
@@ -177,8 +220,11 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
 
 Peak peakOf(const Frame& frame, const QuantityValues& values)
 {
-    const auto largest = [](const std::vector<double>& all) {
-        return std::size_t(std::ranges::max_element(all) - all.begin());
+    const auto isLess = [](double a, double b) { // what is no number is less than all
+        return std::isnan(b) ? false : std::isnan(a) || a < b;
+    };
+    const auto largest = [&](const std::vector<double>& all) {
+        return std::size_t(std::ranges::max_element(all, isLess) - all.begin());
     };
     const Layout& layout = *frame.layout;
     Peak peak;

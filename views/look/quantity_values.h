@@ -23,11 +23,15 @@ enum class ColorBy {
     TearLoad,
     Stress,
     Wrinkles,
-    Margin
+    Margin,
+    Stiffness,
+    Strength,
+    Grain
 };
 // as the command line has them, in the order of the enumeration; never changed
-inline constexpr std::array<std::string_view, 9> colorByNames{
-    "material", "strain", "tension", "speed", "load", "tear", "stress", "wrinkles", "margin"};
+inline constexpr std::array<std::string_view, 12> colorByNames{
+    "material", "strain", "tension",          "speed",           "load", "tear", "stress",
+    "wrinkles", "margin", "stiffness_factor", "strength_factor", "warp"};
 inline constexpr std::size_t colorByCount = colorByNames.size();
 
 // One quantity of one frame. Only the arrays that it has are filled; the others are empty.
@@ -49,6 +53,10 @@ struct QuantityValues
 // links without a width read 0. A panel that carries the pull of a fabric has the largest principal
 // tension. Wrinkles tell how such a panel lies: 0 slack, 1 wrinkled, 2 taut; others have none.
 // Margin (1) is load over strength (laws/load_margin.h); what has no strength reads 0.
+// Stiffness and strength (1) are the factors that elements have of their materials; a panel that
+// does not carry the pull has the mean of the links at its corners. Grain (degrees, -90 to
+// 90) is how far the warp of a panel that does is turned from the way that the picture on it goes
+// up.
 QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look);
 
 // The largest value of a frame, and where it is.
@@ -63,6 +71,7 @@ Peak peakOf(const Frame& frame, const QuantityValues& values);
 // peak.
 constexpr bool isState(ColorBy colorBy) { return colorBy == ColorBy::Wrinkles; }
 constexpr double highestState = 2.0;
+constexpr double farthestGrain = 90.0; // degrees, either way
 
 // True for quantities whose values mean something else below zero than above: pressed or pulled.
 constexpr bool isSigned(ColorBy colorBy)

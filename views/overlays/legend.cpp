@@ -45,6 +45,12 @@ Caption captionOf(ColorBy colorBy)
                 Legend::tr("no fabric of known width")};
     case ColorBy::Margin:
         return {Legend::tr("Margin"), {}, Legend::tr("no strength here")};
+    case ColorBy::Stiffness:
+        return {Legend::tr("Stiffness factor"), {}, Legend::tr("all as their materials")};
+    case ColorBy::Strength:
+        return {Legend::tr("Strength factor"), {}, Legend::tr("all as their materials")};
+    case ColorBy::Grain:
+        return {Legend::tr("Grain"), QStringLiteral("\u00b0"), Legend::tr("no elastic panels")};
     case ColorBy::Wrinkles:
         return {Legend::tr("Wrinkles"), {}, Legend::tr("no elastic panels")};
     }

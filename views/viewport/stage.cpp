@@ -66,11 +66,11 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 15> Stage::layers()
+std::array<Layer*, 16> Stage::layers()
 {
-    return {&m_ground,  &m_shadow,  &m_colliders, &panels,        &links,
-            &particles, &m_weights, &m_highlight, &m_pins,        &m_guides,
-            &m_wind,    &m_vectors, &ghost,       &m_designGhost, &trails};
+    return {&m_ground,  &m_shadow,      &m_colliders, &panels,   &links,  &particles,
+            &m_weights, &m_highlight,   &m_pins,      &m_guides, &m_wind, &m_vectors,
+            &ghost,     &m_designGhost, &trails,      &m_grain};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft
@@ -155,6 +155,12 @@ void Stage::setVectors(Vectors vectors)
     m_layersAreOld = true;
 }
 
+void Stage::setGrainShown(bool shown)
+{
+    m_grain.setShown(shown);
+    m_layersAreOld = true;
+}
+
 void Stage::setDesignShown(bool shown)
 {
     m_designShown = shown;
@@ -176,6 +182,8 @@ ValueRange Stage::range() const
 {
     if (isState(m_colorBy))
         return {0.0, highestState};
+    if (m_colorBy == ColorBy::Grain)
+        return fixedRange().value_or(ValueRange{-farthestGrain, farthestGrain});
     return fixedRange().value_or(m_range.range());
 }
 
@@ -258,7 +266,7 @@ void Stage::takeBounds()
 void Stage::takeRange()
 {
     const QuantityValues& values = m_values;
-    if (isState(m_colorBy))
+    if (isState(m_colorBy) || m_colorBy == ColorBy::Grain)
         return;
     if (m_colorBy == ColorBy::Margin) { // as far as to where things break, at least
         std::vector<double> all = values.link;

@@ -10,6 +10,7 @@
 #include "camera/camera.h"
 #include "layers/collider_layer.h"
 #include "layers/ghost_layer.h"
+#include "layers/grain_layer.h"
 #include "layers/ground_layer.h"
 #include "layers/guide_layer.h"
 #include "layers/highlight_layer.h"
@@ -54,6 +55,7 @@ public:
     void setPanelsShown(bool shown); // panels and their shadow
     void setWindShown(bool shown);   // the field of arrows
     void setVectors(Vectors vectors);
+    void setGrainShown(bool shown);
 
     PanelLayer panels;
     LinkLayer links;
@@ -92,7 +94,7 @@ private:
     bool somethingBroke() const;
     std::ptrdiff_t lateOnes() const; // colliders whose file is being read
     void takeDesign(const Scene& scene);
-    std::array<Layer*, 15> layers();
+    std::array<Layer*, 16> layers();
 
     PinLayer m_pins;
     GuideLayer m_guides;
@@ -103,6 +105,7 @@ private:
     ShadowLayer m_shadow;
     WindLayer m_wind;
     VectorLayer m_vectors;
+    GrainLayer m_grain;
     GhostLayer m_designGhost{GhostLayer::Of::Design};
     std::shared_ptr<const Frame> m_design; // null until it is made for showing
     bool m_designShown = false;

@@ -229,6 +229,11 @@ void Viewport::setTrailsShown(bool shown)
     d->draw([&] { d->stage.trails.setShown(shown); });
 }
 
+void Viewport::setGrainShown(bool shown)
+{
+    d->draw([&] { d->stage.setGrainShown(shown); });
+}
+
 void Viewport::setProbesShown(bool shown)
 {
     d->draw([&] { d->labels.setWanted(shown); });
@@ -360,6 +365,8 @@ void Viewport::setOrthographic(bool orthographic)
 TransformTool& Viewport::transformTool() { return d->transform; }
 
 HandSettings& Viewport::hands() { return d->hands; }
+
+Brush& Viewport::brush() { return d->brush; }
 
 Id Viewport::pick(QPointF place) { return d->pointing.pick(place); }
 

@@ -24,6 +24,7 @@
 
 namespace ripstop {
 
+struct Brush;
 class Document;
 struct HandSettings;
 class Legend;
@@ -64,6 +65,7 @@ public:
     void setVectors(Vectors vectors);   // arrows on the elements; none at first
     void setDesignShown(bool shown);    // as a ghost; off at first
     void setTrailsShown(bool shown);    // of selected or probed particles; off at first
+    void setGrainShown(bool shown);     // of panels that carry a pull, as strokes; off at first
     void setProbesShown(bool shown);    // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
@@ -95,6 +97,7 @@ public:
 
     TransformTool& transformTool();
     HandSettings& hands(); // how hard hands pull and blow
+    Brush& brush();        // what it paints, and how wide
 
     Id pick(QPointF place); // noId when nothing is there
     Pointing& pointing();   // the tool in use, and what the mouse is on

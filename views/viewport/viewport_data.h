@@ -15,6 +15,7 @@
 #include "overlays/legend.h"
 #include "overlays/probe_labels.h"
 #include "overlays/range_editor.h"
+#include "tools/brush_tool.h"
 #include "tools/gizmo_overlay.h"
 #include "tools/grab_tool.h"
 #include "tools/pointing.h"
@@ -76,6 +77,7 @@ public:
     Player& player;
     Camera camera;
     HandSettings hands;
+    Brush brush;
     VtkWidget screen;
     Stage stage;
     Pointing pointing;
