@@ -120,7 +120,6 @@ void HandBar::addField(const QString& name, Field field, const QString& help)
     row->addWidget(field.edit);
     row->addWidget(new QLabel(field.unit));
     m_fields.push_back(field);
-    connect(field.edit, &QLineEdit::returnPressed, &m_viewport, qOverload<>(&QWidget::setFocus));
     connect(field.edit, &QLineEdit::editingFinished, this,
             [this, place = m_fields.size() - 1] { take(m_fields[place]); });
 }

@@ -13,6 +13,7 @@
 #include "editor/brush_bar.h"
 #include "editor/draw_bar.h"
 #include "editor/empty_hint.h"
+#include "editor/focus_return.h"
 #include "editor/hand_bar.h"
 #include "editor/status_line.h"
 #include "editor/tool_bars.h"
@@ -145,9 +146,10 @@ void MainWindow::buildBarsOfView()
     new DrawBar(m_document, *m_viewport, m_drawSettings, m_actions);
 }
 
-// What steers besides the menus.
+// What steers besides the menus, and who gets the keys.
 void MainWindow::buildInputs()
 {
+    new FocusReturn(*m_viewport, this);
     auto* keys = new ControlKeys(m_document, m_player, this);
     keys->spare(&m_docks->panel<Timeline>().strip());
     qApp->installEventFilter(keys);

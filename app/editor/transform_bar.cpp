@@ -157,7 +157,6 @@ void TransformBar::take()
     m_tool.shape(numbers);
     for (int axis = 0; axis < 3; ++axis)
         m_numbers[std::size_t(axis)]->setText(numberText(m_tool.numbers()[axis]));
-    m_viewport.setFocus();
 }
 
 } // namespace ripstop

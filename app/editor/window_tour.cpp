@@ -55,7 +55,9 @@ void showTour(const TouredWindow& toured)
         toured.showScene();
     else if (samples.isEmpty() || !toured.files.open(samples.first()))
         return;
-    new Tour(stopsOf(toured), &toured.window); // deletes itself
+    auto* tour = new Tour(stopsOf(toured), &toured.window); // deletes itself
+    QObject::connect(tour, &QObject::destroyed, &toured.viewport,
+                     [&view = toured.viewport] { view.setFocus(); });
 }
 
 } // namespace ripstop

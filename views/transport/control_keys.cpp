@@ -33,12 +33,6 @@ bool isAny(const QWidget* widget)
     return (qobject_cast<const Types*>(widget) || ...);
 }
 
-bool takesText(const QWidget* focus)
-{
-    return isAny<QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit, QComboBox,
-                 QKeySequenceEdit>(focus);
-}
-
 bool movesByKeys(const QWidget* focus)
 {
     return isAny<QAbstractItemView, QAbstractSlider, QTabBar>(focus);
@@ -69,6 +63,12 @@ bool matches(const QKeyEvent& event, const std::string& text)
 }
 
 } // namespace
+
+bool takesText(const QWidget* focus)
+{
+    return isAny<QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit, QComboBox,
+                 QKeySequenceEdit>(focus);
+}
 
 ControlKeys::ControlKeys(Document& document, Player& player, QObject* parent)
     : QObject(parent)

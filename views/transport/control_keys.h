@@ -19,6 +19,9 @@ namespace ripstop {
 class Document;
 class Player;
 
+// Whether keys are text to this widget: a line, a number, a list to choose from. Null is none.
+bool takesText(const QWidget* focus);
+
 class ControlKeys final : public QObject
 {
     Q_OBJECT
