@@ -3,6 +3,7 @@
 
 #include "actions/keys_dialog.h"
 #include "actions/palette.h"
+#include "actions/preferences_dialog.h"
 #include "dialogs/certify_dialog.h"
 #include "dialogs/condition_dialog.h"
 #include "dialogs/polar_dialog.h"
@@ -48,6 +49,11 @@ void Dialogs::showPalette()
     Palette palette(*m_window.menuBar(), &m_window);
     if (palette.exec() == QDialog::Accepted)
         QMetaObject::invokeMethod(palette.chosen(), &QAction::trigger, Qt::QueuedConnection);
+}
+
+void Dialogs::showPreferences(const Actions& actions, RunFiles& runFiles)
+{
+    PreferencesDialog(actions, runFiles, &m_window).exec();
 }
 
 void Dialogs::showVerification()

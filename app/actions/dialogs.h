@@ -2,8 +2,8 @@
 //
 // The workbench holds one of these, and actions call it. Each dialog is made when it is first
 // asked for; those without a mode stay open while one works, and asking again raises them. The key
-// table and the palette are modal and end before their function returns. All belongs to the thread
-// of the window.
+// table, the palette and the preferences are modal and end before their function returns. All
+// belongs to the thread of the window.
 #pragma once
 
 #include <QPointer>
@@ -14,6 +14,7 @@ class QMainWindow;
 
 namespace ripstop {
 
+class Actions;
 class CertifyDialog;
 class ConditionDialog;
 class Document;
@@ -22,6 +23,7 @@ class Player;
 class PolarDialog;
 class Recordings;
 class RigidityDialog;
+class RunFiles;
 class Selection;
 class SettleDialog;
 class VerificationDialog;
@@ -34,6 +36,7 @@ public:
 
     void showKeys(KeyMap& keys);
     void showPalette();
+    void showPreferences(const Actions& actions, RunFiles& runFiles);
     void showVerification();                  // runs its cases when they have not been
     void showPolar();                         // of the selected material
     void showCertify(Recordings& recordings); // which get the certificate

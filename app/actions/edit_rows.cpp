@@ -1,5 +1,6 @@
 #include "actions/menu_rows.h"
 
+#include "actions/dialogs.h"
 #include "actions/workbench.h"
 #include "docks/docks.h"
 #include "document/document.h"
@@ -18,6 +19,7 @@ MenuRows editRows(const Workbench& bench)
         lineIn("&Edit"),
         {"&Edit", "delete",     tr("&Delete"),             "delete",  QKeySequence::Delete, tr("Remove what is selected, and all that hangs on it."), [&outline] { outline.removeSelected(); }, Toggle::No, nullptr, Needs::Selection},
         {"&Edit", "find",       tr("&Find in outline"),    "search",  QKeySequence::Find,   tr("Search the outline by name."), [&outline] { outline.focusSearch(); }},
+        {"&Edit", "preferences", tr("Pre&ferences…"),      nullptr,   QKeySequence("Ctrl+,"), tr("Theme, language and memory, on one page."), [&bench] { bench.dialogs.showPreferences(bench.actions, bench.runFiles); }},
     };
     // clang-format on
 }

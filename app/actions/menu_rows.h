@@ -21,6 +21,7 @@ MenuRows insertRows(const Workbench& bench); // a row for each builder
 MenuRows designRows(const Workbench& bench); // what shapes the design
 MenuRows drawRows(const Workbench& bench);
 MenuRows viewRows(const Workbench& bench);
+MenuRows themeRows(const Workbench& bench);    // the choice is seen at once, and kept
 MenuRows languageRows(const Workbench& bench); // the choice is kept for the next start
 MenuRows runRows(const Workbench& bench); // play and reset, tools of the hand, settling and poses
 MenuRows tuningRows(const Workbench& bench);   // sliders and sets of their values

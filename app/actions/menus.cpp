@@ -36,8 +36,8 @@ namespace {
 
 // Menus appear in the order in which rows first name them, and the rows of a menu in theirs. The
 // keys dialog lists all in this order.
-constexpr std::array<MenuRows (*)(const Workbench&), 14> sources{
-    fileRows,     editRows, selectRows, insertRows,   designRows, drawRows,    viewRows,
+constexpr std::array<MenuRows (*)(const Workbench&), 15> sources{
+    fileRows,     editRows, selectRows, insertRows,   designRows, drawRows,    viewRows, themeRows,
     languageRows, runRows,  tuningRows, timelineRows, toolRows,   measureRows, helpRows};
 
 // Whether the row shows or hides something in the view, or is one of the ways of colouring it.

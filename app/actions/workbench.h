@@ -42,6 +42,7 @@ struct Workbench
     Actions& actions; // by their ids; there once all rows have been made
     std::function<void()> showStartPage;
     std::function<void()> showTour;
+    std::function<void()> resetLayout;
     // called when a tool has changed how hard hands pull or blow, or how wide the brush is
     std::function<void()> toolChanged;
 };

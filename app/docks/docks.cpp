@@ -1,8 +1,8 @@
-// Stages: the constructor makes the docks in the order of the table, puts those of one area behind
-// each other as tabs, brings the first of each area to the front, and gives the areas their first
-// sizes at the end, when all are there. Below stands what is shown and hidden when the window goes
-// between the start page and a scene; m_closed remembers what the user has closed, because the
-// start page hides all.
+// Stages: the constructor makes the docks in the order of the table. arrange() puts those of one
+// area behind each other as tabs, brings the first of each area to the front, and gives the areas
+// their first sizes at the end, when all are there. Below stands what is shown and hidden when the
+// window goes between the start page and a scene; m_closed remembers what the user has closed,
+// because the start page hides all.
 #include "docks/docks.h"
 
 #include <QAction>
@@ -23,41 +23,53 @@ bool isWide(const DockRow& row)
 } // namespace
 
 Docks::Docks(QMainWindow& window, const PanelParts& parts)
+    : m_window(window)
 {
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     for (const DockRow& row : dockTable())
-        add(window, row, parts);
-
-    std::map<Qt::DockWidgetArea, bool> seen;
-    std::map<Qt::Orientation, std::pair<QList<QDockWidget*>, QList<int>>> sizes;
-    for (const auto& [row, dock] : m_all) {
-        if (!std::exchange(seen[row.area], true))
-            dock->raise();
-        if (row.size > 0) {
-            auto& [docks, wanted] = sizes[isWide(row) ? Qt::Vertical : Qt::Horizontal];
-            docks << dock;
-            wanted << row.size;
-        }
-    }
-    for (const auto& [along, wish] : sizes)
-        window.resizeDocks(wish.first, wish.second, along);
+        add(row, parts);
+    arrange();
 }
 
-void Docks::add(QMainWindow& window, const DockRow& row, const PanelParts& parts)
+void Docks::add(const DockRow& row, const PanelParts& parts)
 {
-    auto* dock = new QDockWidget(row.title, &window);
+    auto* dock = new QDockWidget(row.title, &m_window);
     dock->setObjectName(row.id); // restoreState() knows docks by this
     QWidget* panel = row.make(parts, m_panels, *dock);
     dock->setWidget(panel);
-    window.addDockWidget(row.area, dock);
-    const auto before = std::ranges::find_if(m_all.rbegin(), m_all.rend(), [&](const Dock& other) {
-        return other.row.area == row.area;
-    });
-    if (before != m_all.rend())
-        window.tabifyDockWidget(before->widget, dock);
     m_panels.add(*panel);
     m_all.push_back({row, dock});
+}
+
+void Docks::place(const Dock& dock, const Dock* before) const
+{
+    dock.widget->setFloating(false);
+    m_window.addDockWidget(dock.row.area, dock.widget);
+    if (before)
+        m_window.tabifyDockWidget(before->widget, dock.widget);
+}
+
+void Docks::arrange()
+{
+    std::map<Qt::DockWidgetArea, const Dock*> last;
+    std::map<Qt::DockWidgetArea, QDockWidget*> first;
+    std::map<Qt::Orientation, std::pair<QList<QDockWidget*>, QList<int>>> sizes;
+    for (const Dock& dock : m_all) {
+        place(dock, std::exchange(last[dock.row.area], &dock));
+        first.try_emplace(dock.row.area, dock.widget);
+        if (dock.row.size > 0) {
+            auto& [docks, wanted] = sizes[isWide(dock.row) ? Qt::Vertical : Qt::Horizontal];
+            docks << dock.widget;
+            wanted << dock.row.size;
+        }
+    }
+    m_closed.clear();
+    showOpen();
+    for (const auto& [area, dock] : first)
+        dock->raise();
+    for (const auto& [along, wish] : sizes)
+        m_window.resizeDocks(wish.first, wish.second, along);
 }
 
 bool Docks::show(const QString& id) const

@@ -42,14 +42,19 @@ public:
     bool show(const QString& id) const;
     QList<QAction*> toggles() const; // that show and hide them, by their ids
 
+    // Puts all of them back to the places and sizes of their rows, and shows them.
+    void arrange();
+
     void hideAll() const;
     void noteClosed();         // remembers those that are hidden now as closed by the user
     void showOpen() const;     // shows all but those that the user has closed
     void bringForward() const; // raises those that come forward when a scene is opened
 
 private:
-    void add(QMainWindow& window, const DockRow& row, const PanelParts& parts);
+    void add(const DockRow& row, const PanelParts& parts);
+    void place(const Dock& dock, const Dock* before) const;
 
+    QMainWindow& m_window;
     std::vector<Dock> m_all;
     Panels m_panels;
     std::set<QDockWidget*> m_closed;

@@ -1,6 +1,7 @@
-// eventFilter() chooses the keys that end typing, finish() delivers one to its field before it takes
-// the focus away, in one go: a Space that is pressed right after Enter is for the scene already.
-// Escape is a shortcut of a menu too, so the question whether it is one is answered as well.
+// eventFilter() chooses the keys that end typing, finish() delivers one to its field before it
+// takes the focus away, in one go: a Space that is pressed right after Enter is for the scene
+// already. Escape is a shortcut of a menu too, so the question whether it is one is answered as
+// well.
 #include "editor/focus_return.h"
 
 #include "inspector/value_edit.h"

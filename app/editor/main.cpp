@@ -119,7 +119,7 @@ int main(int argc, char** argv)
     const std::optional<Options> options = readOptions(application.arguments(), error);
     if (!options)
         return refuse(error, 2);
-    applyThemeChoice(application, options->appearance);
+    applyThemeChoice(application, options->appearance.value_or(keptThemeChoice()));
     if (options->language)
         translation.install(*options->language);
 

@@ -18,6 +18,7 @@
 #include "editor/status_line.h"
 #include "editor/tool_bars.h"
 #include "editor/transform_bar.h"
+#include "editor/window_layout.h"
 #include "editor/window_tour.h"
 #include "files/arrivals.h"
 #include "files/kept_work.h"
@@ -40,15 +41,12 @@
 #include <QDragEnterEvent>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 
 namespace ripstop {
 namespace {
-
-constexpr int layoutVersion = 2; // raised when docks change so that an old layout would mislead
 
 QString droppedFile(const QMimeData* data)
 {
@@ -91,7 +89,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     connectParts();
 
     resize(1280, 800);
-    restoreLayout();
+    restoreMemory();
     showStartPage();
     showTitle();
 }
@@ -120,7 +118,8 @@ void MainWindow::buildActions()
     m_menus = std::make_unique<Menus>(
         Workbench{*this, m_document, m_selection, m_player, *m_recordings, *m_viewport,
                   m_drawSettings, *m_docks, *m_files, *m_runFiles, *m_arrivals, m_dialogs,
-                  m_actions, [this] { showStartPage(); }, tour, toolChanged});
+                  m_actions, [this] { showStartPage(); }, tour, [this] { resetLayout(); },
+                  toolChanged});
     m_actions.takeKeys(m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore);
     connect(m_start, &StartPage::tourRequested, this, tour);
 }
@@ -195,16 +194,21 @@ void MainWindow::connectParts()
     });
 }
 
-void MainWindow::restoreLayout()
+void MainWindow::restoreMemory()
 {
     if (m_memory == Memory::Ignore)
         return;
-    const QSettings settings;
-    restoreGeometry(settings.value("window/geometry").toByteArray());
-    restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+    restoreLayout(*this);
     m_docks->noteClosed();
     m_menus->restoreView();
     m_runFiles->restoreMemory();
+}
+
+void MainWindow::resetLayout()
+{
+    showScene();
+    m_toolBar->show();
+    m_docks->arrange();
 }
 
 bool MainWindow::isSceneShown() const { return m_middle->currentWidget() == m_viewport; }
@@ -250,9 +254,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     if (m_memory == Memory::Keep) {
         if (!isSceneShown())
             showScene(); // because the layout to be kept is the one with docks
-        QSettings settings;
-        settings.setValue("window/geometry", saveGeometry());
-        settings.setValue("window/state", saveState(layoutVersion));
+        keepLayout(*this);
         m_menus->keepView();
     }
     event->accept();

@@ -75,7 +75,8 @@ private:
     void buildInputs();
     void connectStart();
     void connectParts();
-    void restoreLayout();
+    void restoreMemory();
+    void resetLayout(); // as it was at the very first start
     void showTitle();
     bool isSceneShown() const; // false while the start page is shown
 

@@ -58,8 +58,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     const QCommandLineOption viewOnly("view-only",
                                       words("Only the 3D view, without legend and compass."));
     const QCommandLineOption size("size", words("Size of the window (1280x800)."), "WxH");
-    const QCommandLineOption theme("theme", words("Colours: desktop, light or dark."), "NAME",
-                                   "desktop");
+    const QCommandLineOption theme(
+        "theme", words("Colours: desktop, light or dark; as chosen in the View menu."), "NAME");
     const QCommandLineOption language(
         "language", words("Language of the window: system, en or fr; as chosen in the View menu."),
         "CODE");
@@ -118,7 +118,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     }
     const auto appearance = appearances.indexOf(parser.value(theme));
     const auto quantity = colors().indexOf(parser.value(colorBy));
-    if (appearance < 0) {
+    if (appearance < 0 && parser.isSet(theme)) {
         error = words("--theme is one of %1").arg(appearances.join(", "));
         return std::nullopt;
     }
@@ -126,7 +126,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         error = words("--color-by is one of %1").arg(colors().join(", "));
         return std::nullopt;
     }
-    options.appearance = ThemeChoice(appearance);
+    if (parser.isSet(theme))
+        options.appearance = ThemeChoice(appearance);
     options.colorBy = ColorBy(quantity);
     return options;
 }

@@ -6,9 +6,9 @@
 // the program.
 #pragma once
 
-#include "editor/theme_choice.h"
 #include "language/language.h"
 #include "look/quantity_values.h"
+#include "theme/theme_choice.h"
 
 #include <QSize>
 #include <QString>
@@ -28,8 +28,8 @@ struct Options
     int frames = 1;     // pictures, at equal steps up to `after`
     bool viewOnly = false;
     std::optional<QSize> size;
-    ThemeChoice appearance = ThemeChoice::Desktop;
-    std::optional<Language> language; // without one the kept language is used
+    std::optional<ThemeChoice> appearance; // without one the kept theme is used
+    std::optional<Language> language;      // without one the kept language is used
     ColorBy colorBy = ColorBy::Material;
     QString select;    // name of an item, or a condition that elements meet
     QString fit;       // name of the item that fills the picture

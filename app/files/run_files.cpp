@@ -28,11 +28,8 @@ namespace {
 
 constexpr auto memoryKey = "recording/memory"; // MB
 constexpr int usualMemory = 512;               // MB
-constexpr int mostMemory = 64 * 1024;          // MB
 
 QString filter() { return RunFiles::tr("Recordings (*.ripstop-run);;All files (*)"); }
-
-int keptMemory() { return QSettings().value(memoryKey, usualMemory).toInt(); }
 
 } // namespace
 
@@ -144,17 +141,23 @@ void RunFiles::save()
 void RunFiles::askForMemory()
 {
     bool given = false;
-    const int memory = QInputDialog::getInt(
+    const int asked = QInputDialog::getInt(
         &m_window, tr("Memory for recordings"),
         tr("Each run keeps up to this much of itself in memory (MB); older moments go to a "
            "temporary file. 0 records nothing. It holds from the next run on."),
-        keptMemory(), 0, mostMemory, 64, &given);
-    if (!given)
-        return;
+        memory(), 0, mostMemory, 64, &given);
+    if (given)
+        setMemory(asked);
+}
+
+int RunFiles::memory() { return QSettings().value(memoryKey, usualMemory).toInt(); }
+
+void RunFiles::setMemory(int memory)
+{
     QSettings().setValue(memoryKey, memory);
     restoreMemory();
 }
 
-void RunFiles::restoreMemory() { m_recordings.setMemory(std::size_t(keptMemory()) * 1'000'000); }
+void RunFiles::restoreMemory() { m_recordings.setMemory(std::size_t(memory()) * 1'000'000); }
 
 } // namespace ripstop

@@ -36,6 +36,10 @@ public:
     void askForMemory();
     void restoreMemory(); // as it was set in an earlier session
 
+    static constexpr int mostMemory = 64 * 1024; // MB
+    static int memory();                         // MB, that each run keeps of itself
+    void setMemory(int memory);                  // MB, from the next run on; it is kept
+
 signals:
     void said(const QString& message); // for the status bar
 

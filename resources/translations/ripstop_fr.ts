@@ -1802,6 +1802,11 @@
     </message>
     <message>
         <location filename="edit_rows.cpp"/>
+        <source>Pre&amp;ferences…</source>
+        <translation>Pré&amp;férences…</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
         <source>Remove what is selected, and all that hangs on it.</source>
         <translation>Supprimer la sélection et tout ce qui y est attaché.</translation>
     </message>
@@ -1814,6 +1819,11 @@
         <location filename="edit_rows.cpp"/>
         <source>Take back the last edit.</source>
         <translation>Annuler la dernière modification.</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
+        <source>Theme, language and memory, on one page.</source>
+        <translation>Thème, langue et mémoire, sur une page.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
@@ -5186,8 +5196,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
-        <source>Colours: desktop, light or dark.</source>
-        <translation>Couleurs : desktop, light ou dark.</translation>
+        <source>Colours: desktop, light or dark; as chosen in the View menu.</source>
+        <translation>Couleurs : desktop, light ou dark ; comme choisi dans le menu Affichage.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -6167,6 +6177,41 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="pose_dialog.cpp"/>
         <source>What the run has come to after %1 s becomes the design. Undo brings the old one back.</source>
         <translation>Ce que la simulation est devenue après %1 s devient le modèle. Annuler ramène l’ancien.</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
+        <source>&amp;Language:</source>
+        <translation>&amp;Langue :</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
+        <source>&amp;Memory for recordings:</source>
+        <translation>&amp;Mémoire des enregistrements :</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
+        <source>&amp;Theme:</source>
+        <translation>&amp;Thème :</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
+        <source>Each run keeps up to this much of itself in memory; older moments go to a temporary file.</source>
+        <translation>Chaque vol garde en mémoire jusqu’à cette quantité de lui-même ; les moments plus anciens vont dans un fichier temporaire.</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
+        <source>The language changes when Ripstop starts the next time; memory counts from the next run on.</source>
+        <translation>La langue change au prochain démarrage de Ripstop ; la mémoire compte à partir du prochain vol.</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
+        <source>nothing is recorded</source>
+        <translation>rien n’est enregistré</translation>
     </message>
     <message>
         <location filename="preset.cpp"/>
@@ -14589,6 +14634,46 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="test_table.cpp"/>
         <source>force</source>
         <translation>force</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>&amp;Dark</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>All panels at the places and in the sizes that they had at first.</source>
+        <translation>Tous les panneaux aux places et dans les tailles qu’ils avaient au début.</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>Dark text on a light ground.</source>
+        <translation>Texte sombre sur fond clair.</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>Light or dark, as the desktop is.</source>
+        <translation>Clair ou sombre, comme le bureau.</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>Light text on a dark ground.</source>
+        <translation>Texte clair sur fond sombre.</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>Reset la&amp;yout</source>
+        <translation>Rétablir la disposi&amp;tion</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>T&amp;heme</source>
+        <translation>T&amp;hème</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>

@@ -8,7 +8,7 @@
 #include "album/manual.h"
 #include "album/moments.h"
 #include "album/picture.h"
-#include "editor/theme_choice.h"
+#include "theme/theme_choice.h"
 
 #include <QCommandLineParser>
 #include <QRegularExpression>

@@ -182,9 +182,10 @@ private slots:
     {
         QFETCH(Qt::Key, end);
         int looked = 0;
-        for (const char* id : {"verification", "polar", "certify", "settle", "byProperty", "floppy"}) {
+        for (const char* id :
+             {"verification", "polar", "certify", "settle", "byProperty", "floppy"}) {
             OpenWindow shop;
-                shop.selection.set({shop.document.scene().items.front().id});
+            shop.selection.set({shop.document.scene().items.front().id});
             for (int i = 0;; ++i) {
                 shop.run(id);
                 QDialog* dialog = nullptr;

@@ -1,15 +1,20 @@
-#include "editor/theme_choice.h"
+// Two sets of colours, the palette that is made of one, and Fusion with edges that are seen on
+// both. applyThemeChoice() asks the desktop for its palette again each time.
+#include "theme/theme_choice.h"
 
 #include <QApplication>
 #include <QFile>
 #include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
+#include <QSettings>
 #include <QStyleFactory>
 #include <QStyleOption>
 
 namespace ripstop {
 namespace {
+
+constexpr auto settingKey = "theme"; // 0, 1, 2, in the order of ThemeChoice
 
 struct Colors
 {
@@ -82,6 +87,7 @@ public:
 
 void applyThemeChoice(QApplication& application, ThemeChoice appearance)
 {
+    QApplication::setPalette(QPalette()); // what was chosen before must not pass for the desktop's
     const bool desktopIsDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
     const bool isDark =
         appearance == ThemeChoice::Dark || (appearance == ThemeChoice::Desktop && desktopIsDark);
@@ -91,5 +97,14 @@ void applyThemeChoice(QApplication& application, ThemeChoice appearance)
     if (sheet.open(QIODevice::ReadOnly))
         application.setStyleSheet(QString::fromUtf8(sheet.readAll()));
 }
+
+ThemeChoice keptThemeChoice()
+{
+    const int kept = QSettings().value(settingKey, int(ThemeChoice::Desktop)).toInt();
+    const bool isOne = kept >= int(ThemeChoice::Desktop) && kept <= int(ThemeChoice::Dark);
+    return isOne ? ThemeChoice(kept) : ThemeChoice::Desktop;
+}
+
+void keepThemeChoice(ThemeChoice appearance) { QSettings().setValue(settingKey, int(appearance)); }
 
 } // namespace ripstop
