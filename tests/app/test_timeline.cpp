@@ -5,12 +5,16 @@
 #include "document/recordings.h"
 #include "files/run_files.h"
 #include "io/recording_file.h"
+#include "overlays/compass.h"
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"
+#include "tools/tool_strip.h"
+#include "transport/transport.h"
 #include "window_shop.h"
 
 #include <QLabel>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QtTest>
 
 namespace ripstop::test_timeline {
@@ -132,6 +136,69 @@ private slots:
         shop.fly(1.0);
         QVERIFY(shop.player.frame()->hash != end);
         QCOMPARE(shop.runs.list().size(), std::size_t(3));
+    }
+
+    // Neither when the branch is made, nor when it is played on: not in time and not in the axis.
+    void continuingLeavesThePlayheadWhereItIs()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("rope.ripstop.json"));
+        shop.fly(1.0);
+        shop.runs.seekTime(0.4);
+        QTRY_VERIFY(shop.looksAt(0.4));
+        const TimelineStrip& strip = shop.timeline.strip();
+        const double here = shop.runs.time();
+        const int place = strip.placeOf(here);
+        QVERIFY(place > 100);
+        std::vector<double> times;
+        std::vector<int> places;
+        const auto look = [&] {
+            times.push_back(shop.runs.time());
+            places.push_back(strip.placeOf(shop.runs.time()));
+        };
+        connect(&shop.runs, &Recordings::moved, this, look);
+        connect(&shop.runs, &Recordings::listChanged, this, look);
+        connect(&shop.runs, &Recordings::stateChanged, this, look);
+        shop.run("continueHere");
+        QTRY_VERIFY(!shop.player.isLookingBack() && !shop.runs.isComputing());
+        QTest::qWait(300); // a timer looks for new frames
+        look();
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            QCOMPARE(times[i], here);
+            QCOMPARE(places[i], place);
+        }
+        shop.player.playUntil(0.5);
+        QTRY_VERIFY(!shop.player.isPlaying() && shop.runs.list().size() == 2);
+        QTRY_VERIFY(std::abs(shop.runs.time() - 0.5) < 0.01);
+        QCOMPARE(strip.placeOf(here), place); // the axis is the same
+        for (const double time : times)
+            QVERIFY2(time >= here && time < 0.51, qPrintable(QString::number(time)));
+        shop.runs.disconnect(this);
+    }
+
+    // The buttons of the run are there at any width, and the compass lies beside the tools.
+    void smallWindowsKeepTheTransport_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("900 x 600") << QSize(900, 600);
+        QTest::newRow("1280 x 800") << QSize(1280, 800);
+        QTest::newRow("as small as it gets") << QSize(1, 1);
+    }
+    void smallWindowsKeepTheTransport()
+    {
+        QFETCH(QSize, size);
+        TimelineShop shop;
+        QVERIFY(shop.open("rope.ripstop.json"));
+        shop.window.resize(size);
+        QTest::qWait(50);
+        for (const char* name : {"reset", "step", "play"}) {
+            const auto* button = shop.window.findChild<Transport*>()->findChild<QToolButton*>(name);
+            QCOMPARE(button->visibleRegion().boundingRect(), button->rect());
+        }
+        const auto* compass = shop.viewport.findChild<Compass*>();
+        const auto* tools = shop.viewport.findChild<ToolStrip*>();
+        shop.viewport.image(); // puts all in its place
+        QVERIFY(!compass->geometry().intersects(tools->geometry()));
     }
 
     void findsEventsAndBookmarks()

@@ -41,7 +41,7 @@ Recordings::Recordings(Player& player, QObject* parent)
                 add(recording);
             });
     connect(&player, &Player::stateChanged, this, [this] {
-        if (!m_player.isLookingBack() && std::exchange(m_showsPast, false))
+        if (!m_player.isLookingBack() && std::exchange(m_showsPast, false) && !m_begins)
             leavePast(); // the run goes on
     });
     connect(&m_watch, &QTimer::timeout, this, &Recordings::watch);
@@ -117,6 +117,8 @@ void Recordings::watch()
     if (count == m_seen)
         return;
     m_seen = count;
+    if (m_current == m_live && !m_wantsPast)
+        m_begins.reset();
     if (!m_wantsPast)
         m_frame = count == 0 ? 0 : count - 1;
     emit grew();
@@ -126,6 +128,8 @@ void Recordings::watch()
 double Recordings::time() const
 {
     const std::size_t count = m_current ? m_current->frameCount() : 0;
+    if (m_begins && (count == 0 || m_current != m_live || m_wantsPast))
+        return *m_begins;
     if (count == 0)
         return 0.0;
     return m_current->timeOf(m_wantsPast ? std::min(m_frame, count - 1) : count - 1);
@@ -156,6 +160,7 @@ void Recordings::seek(std::size_t frame)
 {
     if (!m_current || m_current->frameCount() == 0)
         return;
+    m_begins.reset();
     m_frame = std::min(frame, m_current->frameCount() - 1);
     m_wantsPast = true;
     if (!isPlaying())
@@ -256,7 +261,7 @@ Recordings::Shown Recordings::fetch(const Wish& wish)
 void Recordings::take()
 {
     const auto shown = m_fetcher.take();
-    if (!shown || !m_wantsPast)
+    if (!shown || !m_wantsPast || m_begins)
         return; // the user has gone back to the live run meanwhile
     if (!shown->frame) {
         pause();
@@ -382,6 +387,7 @@ void Recordings::takeMoment()
         return;
     m_computing = false;
     if (begin->moment) {
+        m_begins = timeOf(*begin->moment); // the old run stays in the timeline until Play
         m_player.continueFrom(begin->moment);
         emit said(tr("Play goes on from %1 s with the design as it is now, as a run of its own.")
                       .arg(secondsText(timeOf(*begin->moment))));

@@ -48,7 +48,7 @@ public:
     // --- looking back ---
     bool isLookingBack() const { return m_player.isLookingBack(); }
     std::size_t frame() const { return m_frame; } // the newest one while not looking back
-    double time() const;                          // s
+    double time() const; // s; where a new branch begins until it has frames of its own
     void seek(std::size_t frame);
     void seekTime(double time); // s
     void move(std::ptrdiff_t frames);
@@ -152,6 +152,7 @@ private:
     double m_time = 0.0; // s, of the playback
     std::optional<Range> m_loop;
     bool m_computing = false;
+    std::optional<double> m_begins; // s, where a branch has been made that has no frame yet
     std::atomic<bool> m_cancelled = false;
     Worker<Wish, Shown> m_fetcher; // last: these end before what they use
     Worker<Start, Begin> m_starter;

@@ -61,10 +61,7 @@ TimelineStrip::TimelineStrip(Recordings& recordings, QWidget* parent)
     setMouseTracking(true);
     setAccessibleName(tr("Timeline"));
     setCursor(Qt::PointingHandCursor);
-    connect(&recordings, &Recordings::listChanged, this, [this] {
-        m_zoomed = false;
-        refresh();
-    });
+    connect(&recordings, &Recordings::listChanged, this, &TimelineStrip::refresh);
     connect(&recordings, &Recordings::grew, this, &TimelineStrip::refresh);
     connect(&recordings, &Recordings::moved, this, qOverload<>(&QWidget::update));
     connect(&recordings, &Recordings::stateChanged, this, qOverload<>(&QWidget::update));
@@ -77,7 +74,9 @@ QSize TimelineStrip::minimumSizeHint() const { return {200, 56}; }
 void TimelineStrip::refresh()
 {
     const auto& recording = m_recordings.current();
+    takeRun();
     m_events = recording ? recording->events() : std::vector<RunEvent>();
+    m_last = recording ? whole() : Span{0.0, 0.0};
     update();
 }
 
@@ -87,10 +86,24 @@ TimelineStrip::Span TimelineStrip::whole() const
 {
     const auto& recording = m_recordings.current();
     if (!recording || recording->frameCount() == 0)
-        return {};
+        return m_kept.length() > 0.0 ? m_kept : Span();
     const double from = recording->timeOf(0);
-    const double to = recording->timeOf(recording->frameCount() - 1);
-    return {from, std::max(to, from + 0.5)};
+    const double to = std::max(recording->timeOf(recording->frameCount() - 1), from + 0.5);
+    if (m_kept.length() > 0.0)
+        return {std::min(m_kept.from, from), std::max(m_kept.to, to)};
+    return {from, to};
+}
+
+// A branch takes over the axis, so that the mark of where one looks stays where it is.
+void TimelineStrip::takeRun()
+{
+    const auto& recording = m_recordings.current();
+    if (recording == m_run.lock())
+        return;
+    const bool branches = recording && !recording->origin().empty() && m_last.length() > 0.0;
+    m_kept = branches ? m_last : Span{0.0, 0.0};
+    m_run = recording;
+    m_zoomed = false;
 }
 
 TimelineStrip::Span TimelineStrip::shown() const { return m_zoomed ? m_zoom : whole(); }

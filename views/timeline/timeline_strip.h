@@ -8,10 +8,12 @@
 
 #include <QWidget>
 
+#include <memory>
 #include <vector>
 
 namespace ripstop {
 
+class Recording;
 class Recordings;
 
 class TimelineStrip final : public QWidget
@@ -44,7 +46,8 @@ private:
         double to = 1.0;
         double length() const { return to - from; }
     };
-    Span whole() const;
+    Span whole() const; // of the run, and of the one that it branched from
+    void takeRun();     // when another run has become the current one
     Span shown() const;
     void refresh();
     void scrub(int x);
@@ -56,6 +59,9 @@ private:
 
     Recordings& m_recordings;
     std::vector<RunEvent> m_events;
+    std::weak_ptr<const Recording> m_run; // that m_kept is for
+    Span m_last{0.0, 0.0};                // what was whole() when the run last grew
+    Span m_kept{0.0, 0.0};                // that stays where it is while a branch goes on from it
     Span m_zoom;
     bool m_zoomed = false;
 };

@@ -23,6 +23,8 @@ namespace {
 
 constexpr std::array speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0}; // simulated seconds per second
 constexpr double asFastAsItCan = 0.0;                       // as Player::setSpeed() has it
+constexpr int edge = 6;                                     // px, left and right
+constexpr int between = 4;                                  // px, of its widgets
 constexpr double keepsUp = 0.9;                             // of the speed that was asked for
 
 QString ratioText(double ratio, int decimals)
@@ -73,16 +75,15 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     m_accuracy->setObjectName(QStringLiteral("pull_error"));
     m_step->setAutoRepeat(true);
     fillSpeeds();
+    m_spared = {m_time, m_speed, m_badge, m_ratio, m_accuracy, m_substeps};
 
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(6, 2, 6, 2);
-    layout->setSpacing(4);
+    layout->setContentsMargins(edge, 2, edge, 2);
+    layout->setSpacing(between);
     layout->addWidget(m_reset);
     layout->addWidget(m_step);
     layout->addWidget(m_play);
-    layout->addSpacing(6);
     layout->addWidget(m_speed);
-    layout->addSpacing(10);
     layout->addWidget(m_badge);
     layout->addWidget(m_time);
     layout->addWidget(m_ratio);
@@ -99,6 +100,35 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     connect(&player, &Player::frameReady, this, &Transport::refreshRun);
     connect(&document, &Document::replaced, this, &Transport::refresh);
     refresh();
+}
+
+QSize Transport::sizeHint() const
+{
+    QSize size = minimumSizeHint();
+    for (const QWidget* one : m_spared)
+        size.rwidth() += one->sizeHint().expandedTo(one->minimumSize()).width() + between;
+    return size;
+}
+
+QSize Transport::minimumSizeHint() const
+{
+    QSize size(2 * edge, m_speed->sizeHint().height() + 4);
+    for (const QWidget* one : {m_reset, m_step, m_play})
+        size.rwidth() += one->sizeHint().width() + between;
+    return size.expandedTo({0, m_play->sizeHint().height() + 4});
+}
+
+// In a narrow window what is only told goes before what is pressed.
+void Transport::resizeEvent(QResizeEvent* event)
+{
+    int room = event->size().width() - minimumSizeHint().width();
+    bool fits = true;
+    for (QWidget* one : m_spared) {
+        room -= one->sizeHint().expandedTo(one->minimumSize()).width() + between;
+        fits = fits && room >= 0;
+        one->setVisible(fits);
+    }
+    QWidget::resizeEvent(event);
 }
 
 QToolButton* Transport::button(const char* name, const QString& text, const QString& toolTip)

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QComboBox;
 class QLabel;
 class QToolButton;
@@ -21,6 +23,13 @@ class Transport final : public QWidget
 
 public:
     Transport(Document& document, Player& player, QWidget* parent = nullptr);
+
+    // With all that it says, and with the buttons alone.
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QToolButton* button(const char* name, const QString& text, const QString& toolTip);
@@ -43,6 +52,7 @@ private:
     QLabel* m_ratio;
     QLabel* m_substeps;
     QLabel* m_accuracy;
+    std::vector<QWidget*> m_spared; // what goes first where there is no room comes last
 };
 
 } // namespace ripstop

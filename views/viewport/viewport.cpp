@@ -10,6 +10,7 @@
 
 #include "look/scene_frame.h"
 #include "overlays/overlay_paint.h"
+#include "tools/tool_strip.h"
 #include "viewport/viewport_data.h"
 
 #include <QPainter>
@@ -67,10 +68,22 @@ void Viewport::Private::prepare()
     place();
 }
 
+// Where something stands that would begin at this place, had the strip of tools not come down so
+// far.
+int Viewport::Private::besideTools(const QRect& place) const
+{
+    for (const QObject* child : screen.parentWidget()->children())
+        if (const auto* tools = qobject_cast<const ToolStrip*>(child);
+            tools && tools->isVisible() && tools->geometry().intersects(place))
+            return tools->geometry().right() + corner;
+    return place.x();
+}
+
 void Viewport::Private::place()
 {
     legend.move(screen.width() - legend.width() - corner, corner);
-    compass.move(corner, screen.height() - compass.height() - corner);
+    const int under = screen.height() - compass.height() - corner;
+    compass.move(besideTools({corner, under, compass.width(), compass.height()}), under);
     compass.setCamera(camera);
     centre.show(stage.frame(), camera);
     labels.show(stage.frame(), camera);

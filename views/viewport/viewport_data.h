@@ -61,7 +61,8 @@ public:
     void showDesign();
     void prepare();
     void place();
-    std::optional<CameraView> view(); // what is seen now
+    int besideTools(const QRect& place) const; // its left edge, px
+    std::optional<CameraView> view();          // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
 
