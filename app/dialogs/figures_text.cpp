@@ -1,51 +1,40 @@
 #include "dialogs/figures_text.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 
 #include <QStringList>
 
 namespace ripstop {
-namespace {
-
-QString quantity(double value, const char* unit)
-{
-    return QLocale().toString(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
-}
-
-// "12.4 m", "4.5 m²", "320 g"
-QString weight(double mass)
-{
-    return mass < 1.0 ? quantity(1000.0 * mass, "g") : quantity(mass, "kg");
-}
-
-} // namespace
+namespace {} // namespace
 
 QString textOf(const DesignFigures& figures)
 {
     const QString point = QStringLiteral(" \u00b7 ");
-    const QString box = words("%1 wide, %2 high, %3 deep")
-                            .arg(quantity(figures.size.x(), "m"), quantity(figures.size.y(), "m"),
-                                 quantity(figures.size.z(), "m"));
+    const QString box =
+        words("%1 wide, %2 high, %3 deep")
+            .arg(spokenText(figures.size.x(), "m"), spokenText(figures.size.y(), "m"),
+                 spokenText(figures.size.z(), "m"));
     if (figures.particles == 0) // an obstacle
         return box;
     QStringList counts{counted(Kind::Particle, qsizetype(figures.particles)),
                        counted(Kind::Link, qsizetype(figures.links))};
     if (figures.panels > 0)
         counts << counted(Kind::Panel, qsizetype(figures.panels));
-    QStringList sizes{weight(figures.mass)};
+    QStringList sizes{spokenText(figures.mass, "kg")};
     if (figures.area > 0.0)
-        sizes << words("%1 of cloth").arg(quantity(figures.area, "m\u00b2"));
+        sizes << words("%1 of cloth").arg(spokenText(figures.area, "m\u00b2"));
     if (figures.lineLength > 0.0)
-        sizes << words("%1 of line").arg(quantity(figures.lineLength, "m"));
+        sizes << words("%1 of line").arg(spokenText(figures.lineLength, "m"));
     QStringList shape;
     if (figures.aspect)
-        shape << words("Span %1").arg(quantity(figures.span, "m"))
+        shape << words("Span %1").arg(spokenText(figures.span, "m"))
               << words("aspect ratio %1").arg(QLocale().toString(*figures.aspect, 'g', 3));
     else
         shape << box;
     shape << words("%1 substeps of %2")
                  .arg(figures.substeps)
-                 .arg(quantity(1000.0 * figures.timeStep / figures.substeps, "ms"));
+                 .arg(spokenText(figures.timeStep / figures.substeps, "s"));
     return counts.join(point) + QChar('\n') + sizes.join(point) + QChar('\n') + shape.join(point);
 }
 

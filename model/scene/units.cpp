@@ -22,11 +22,13 @@ constexpr double yard = 0.9144;      // m
 constexpr std::array units{
     Unit{"m", 1.0, length},         Unit{"mm", 1e-3, length},   Unit{"cm", 1e-2, length},
     Unit{"dm", 0.1, length},        Unit{"km", 1e3, length},    Unit{"um", 1e-6, length},
+    Unit{"\u00b5m", 1e-6, length},
     Unit{"in", 0.0254, length},     Unit{"ft", 0.3048, length}, Unit{"yd", yard, length},
     Unit{"mi", 1609.344, length},
     Unit{"kg", 1.0, mass},          Unit{"mg", 1e-6, mass},     Unit{"g", 1e-3, mass},
     Unit{"t", 1e3, mass},           Unit{"oz", pound / 16, mass}, Unit{"lb", pound, mass},
     Unit{"s", 1.0, time},           Unit{"ms", 1e-3, time},     Unit{"us", 1e-6, time},
+    Unit{"\u00b5s", 1e-6, time},
     Unit{"min", 60.0, time},        Unit{"h", 3600.0, time},
     Unit{"N", 1.0, force},          Unit{"mN", 1e-3, force},    Unit{"cN", 1e-2, force},
     Unit{"daN", 10.0, force},       Unit{"kN", 1e3, force},     Unit{"MN", 1e6, force},

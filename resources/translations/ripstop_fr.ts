@@ -349,11 +349,6 @@
         <translation>Il n’y a pas de panneau de ce matériau qui pourrait porter sa traction.</translation>
     </message>
     <message>
-        <location filename="centre_mark.cpp"/>
-        <source>%1 kg</source>
-        <translation>%1 kg</translation>
-    </message>
-    <message>
         <location filename="certify.cpp"/>
         <source>the scene has no probe that could be judged: add one</source>
         <translation>la scène n’a pas de sonde que l’on puisse juger : ajoutez-en une</translation>
@@ -2830,8 +2825,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="grab_tool.cpp"/>
-        <source>%1 N/m, all that the time step allows</source>
-        <translation>%1 N/m, tout ce que permet le pas de temps</translation>
+        <source>%1, all that the time step allows</source>
+        <translation>%1, tout ce que le pas de temps permet</translation>
     </message>
     <message>
         <location filename="grab_tool.cpp"/>

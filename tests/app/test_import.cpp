@@ -109,7 +109,8 @@ private slots:
         QCOMPARE(size->text(), spaced("1 m wide, 1 m high, 1 m deep"));
         QVERIFY2(counts->text().contains("8 particles"), qPrintable(counts->text()));
         QVERIFY2(counts->text().contains("18 rods"), qPrintable(counts->text()));
-        QVERIFY2(counts->text().contains("282 g"), qPrintable(counts->text())); // 6 m^2, 47 g/m^2
+        QVERIFY2(counts->text().contains("282\u00a0g"),
+                 qPrintable(counts->text())); // 6 m^2, 47 g/m^2
         QCOMPARE(report->count(), 1);
         QCOMPARE(report->item(0)->text(), "28 vertices lie on another one: joined.");
 
@@ -125,7 +126,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(size->text(), spaced("2 m wide, 2 m high, 2 m deep"), patience);
         report->setCurrentRow(0);
         dialog.findChild<QDoubleSpinBox*>("density")->setValue(100.0);
-        QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("2.4 kg"), qPrintable(counts->text()),
+        QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("2.4\u00a0kg"), qPrintable(counts->text()),
                                   patience);
         QCOMPARE(report->currentRow(), 0); // fabric does not change the mesh
         dialog.findChild<QComboBox*>("structural")->setCurrentIndex(int(LinkStyle::Springs));

@@ -5,6 +5,7 @@
 // alone, so that its camera and its marks stay.
 #include "import/import_dialog.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 #include "icons/icon.h"
 #include "import/import_form.h"
@@ -54,12 +55,7 @@ QString reportText(const MeshFinding& finding)
     return text.replace(QString::number(count), QLocale().toString(count));
 }
 
-QString massText(double kilograms)
-{
-    return kilograms >= 1.0
-               ? ImportDialog::tr("%1 kg").arg(QLocale().toString(kilograms, 'g', 4))
-               : ImportDialog::tr("%1 g").arg(QLocale().toString(1000.0 * kilograms, 'g', 4));
-}
+QString massText(double kilograms) { return spokenText(kilograms, "kg"); }
 
 QString countsText(const MeshImport& made)
 {

@@ -5,6 +5,7 @@
 // the label are gestures (tuning.h). numberField() puts one such line over a slider, vectorField()
 // three of them, in a row or below each other. A number that is absent shows what it falls back to.
 #include "document/document.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "inspector/field.h"
 #include "inspector/scrub_label.h"
@@ -156,9 +157,8 @@ QString inherited(const FieldPlace& place)
     const auto ref = std::holds_alternative<Id>(id) ? find(scene, std::get<Id>(id)) : std::nullopt;
     if (!ref)
         return words("from material");
-    const QString value = compactNumber(std::get<double>(source->get(*ref)));
-    const QString unit = QString::fromUtf8(source->unit.data());
-    return words("from material (%1)").arg(unit.isEmpty() ? value : value + QChar(' ') + unit);
+    return words("from material (%1)")
+        .arg(spokenText(std::get<double>(source->get(*ref)), source->unit));
 }
 
 } // namespace
@@ -169,13 +169,16 @@ Field numberField(const FieldPlace& place)
     QSlider* bar = slider(place);
     return {stacked(edit, bar), {edit}, [=](const Common& common) {
                 const bool isAbsent = std::holds_alternative<std::monostate>(common.value);
-                edit->setUnit(isAbsent || common.mixed[0] ? QString() : text(unitNow(place)));
+                const bool isShown = !isAbsent && !common.mixed[0];
+                const Spoken said =
+                    isShown ? spokenInField(magnitude(common.value), unitNow(place)) : Spoken();
+                edit->setUnit(said.unit);
                 if (common.mixed[0])
                     edit->show({}, mixedText());
                 else if (isAbsent)
                     edit->show({}, inherited(place));
                 else
-                    edit->show(compactNumber(magnitude(common.value)));
+                    edit->show(said.number);
                 refreshSlider(bar, place.property, common);
             }};
 }
@@ -194,7 +197,6 @@ Field vectorField(const FieldPlace& place)
         label->setPalette(palette);
         label->setToolTip(words("Drag sideways to change the value."));
         ValueEdit* edit = numberEdit(place, axis, *label);
-        edit->setUnit(QString::fromUtf8(place.property.unit.data()));
         edit->setAccessibleName(labelOf(place.property) + QChar(' ') + label->text());
         axes->add(label, edit);
         edits[std::size_t(axis)] = edit;
@@ -206,8 +208,11 @@ Field vectorField(const FieldPlace& place)
         const Vec3* vector = std::get_if<Vec3>(&common.value);
         for (int axis = 0; axis < 3; ++axis) {
             const bool isMixed = common.mixed[std::size_t(axis)] || !vector;
-            edits[std::size_t(axis)]->show(isMixed ? QString() : compactNumber((*vector)[axis]),
-                                           isMixed ? mixedText() : QString());
+            ValueEdit* edit = edits[std::size_t(axis)];
+            const Spoken said =
+                isMixed ? Spoken() : spokenInField((*vector)[axis], place.property.unit);
+            edit->setUnit(said.unit);
+            edit->show(said.number, isMixed ? mixedText() : QString());
         }
         refreshSlider(bar, place.property, common);
     };

@@ -6,6 +6,7 @@
 // Many elements at once are added through Net, which finds corners together.
 #include "inspector/totals.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 #include "select/net.h"
 #include "shaping/spread_mass.h"
@@ -16,11 +17,6 @@
 
 namespace ripstop {
 namespace {
-
-QString quantity(double value, const char* unit)
-{
-    return QLocale().toString(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
-}
 
 QString whole(qsizetype count) { return QLocale().toString(count); }
 
@@ -78,7 +74,7 @@ struct Sums
     {
         QStringList facts;
         if (particles > 0)
-            facts << quantity(mass, "kg");
+            facts << spokenText(mass, "kg");
         if (pins > 0)
             facts << words("%1 pinned").arg(whole(pins));
         if (guided > 0)
@@ -87,9 +83,9 @@ struct Sums
             facts << (springs == 1 ? words("1 spring") : words("%1 springs").arg(whole(springs)))
                   << (rods == 1 ? words("1 rod") : words("%1 rods").arg(whole(rods)));
         if (springs + rods > 0)
-            facts << words("%1 long").arg(quantity(length, "m"));
+            facts << words("%1 long").arg(spokenText(length, "m"));
         if (panels > 0)
-            facts << quantity(area, "m\u00b2");
+            facts << spokenText(area, "m\u00b2");
         return joined(facts);
     }
 };

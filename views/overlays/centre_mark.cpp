@@ -6,6 +6,7 @@
 
 #include "document/document.h"
 #include "document/selection.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "shaping/movable.h"
 
@@ -113,8 +114,7 @@ void CentreMark::paintEvent(QPaintEvent*)
     painter.setPen(QPen(m_theme.isDark() ? Qt::white : Qt::black, 1.5));
     painter.drawEllipse(circle);
 
-    const QString text = m_total < 1.0 ? tr("%1 g").arg(locale().toString(1e3 * m_total, 'g', 4))
-                                       : tr("%1 kg").arg(locale().toString(m_total, 'g', 4));
+    const QString text = spokenText(m_total, "kg");
     QRectF card = painter.fontMetrics().boundingRect(text).adjusted(-6, -2, 6, 2);
     card.moveTopLeft(*pixel + QPointF(radius + 4.0, radius + 2.0));
     painter.setPen(Qt::NoPen);

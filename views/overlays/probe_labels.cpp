@@ -6,6 +6,7 @@
 
 #include "base/quantity.h"
 #include "document/document.h"
+#include "document/spoken.h"
 #include "look/element_places.h"
 
 #include <QPainter>
@@ -95,11 +96,9 @@ QStringList ProbeLabels::linesOf(Id target) const
         if (row == probes.end())
             continue;
         const double value = m_frame->probe[std::size_t(row - probes.begin())];
-        const QString number =
-            std::isnan(value) ? QString(QChar(0x2013)) : locale().toString(value, 'g', 4);
-        const QString unit = QString::fromStdString(row->unit);
-        lines << QString::fromStdString(row->name) + "  " + number
-                     + (unit.isEmpty() ? unit : QChar(0x00a0) + unit);
+        const auto* probe = findItem<Probe>(m_document.scene(), id);
+        const Quantity quantity = probe ? probe->quantity : Quantity::Formula;
+        lines << QString::fromStdString(row->name) + "  " + readingText(quantity, value, row->unit);
     }
     return lines;
 }

@@ -15,6 +15,7 @@
 #include "document/event_words.h"
 #include "document/player.h"
 #include "document/recordings.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "icons/swatch.h"
 #include "plots/chart_style.h"
@@ -51,14 +52,6 @@ QLabel* hint(const QString& text)
     label->setForegroundRole(QPalette::PlaceholderText);
     label->setWordWrap(true);
     return label;
-}
-
-QString shown(double value, const QString& unit)
-{
-    if (std::isnan(value))
-        return QString(QChar(0x2013)); // dash: nothing to read
-    const QString number = QLocale().toString(value, 'g', 4);
-    return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
 }
 
 template <typename T>
@@ -406,7 +399,8 @@ void PlotPanel::showValues()
         }
         const QSignalBlocker quiet(m_list);
         QTreeWidgetItem& row = *m_list->topLevelItem(int(i));
-        row.setText(1, shown(value, unitOf(m_probes[i].id)));
+        row.setText(1, readingText(std::get<Probe>(m_probes[i].item).quantity, value,
+                                   unitOf(m_probes[i].id).toStdString()));
         row.setToolTip(1, errorText(id, past ? m_hovered : std::nullopt));
     }
     m_list->viewport()->update(); // the blocked signals would have repainted it

@@ -12,6 +12,7 @@
 
 #include "document/document.h"
 #include "document/player.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "overlays/caption.h"
 
@@ -267,13 +268,13 @@ void GrabTool::paintPull(QPainter& painter, const Theme& theme, const CameraView
     const bool pinned = isPinned(grip);
     QStringList said;
     if (now) {
-        said << words("%1 N").arg(QLocale().toString(now->force, 'g', 3));
+        said << spokenText(now->force, "N", 3);
         const double asked = m_settings.stiffnessIn(m_document.scene());
         if (now->force >= 0.999 * m_settings.mostIn(m_document.scene()))
             said << words("the most it may");
         else if (now->stiffness < 0.999 * asked)
-            said << words("%1 N/m, all that the time step allows")
-                        .arg(QLocale().toString(now->stiffness, 'g', 3));
+            said << words("%1, all that the time step allows")
+                        .arg(spokenText(now->stiffness, "N/m", 3));
     }
     said << (pinned ? words("pinned, P lets go") : words("P pins"));
     paintCaption(painter, theme, {to.x, to.y}, said.join(QStringLiteral(" · ")));
