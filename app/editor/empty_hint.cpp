@@ -10,6 +10,8 @@
 namespace ripstop {
 namespace {
 
+constexpr int fromUpperEdge = 24; // px, above the person
+
 bool isSeen(const Entry& entry)
 {
     return std::holds_alternative<Part>(entry.item) || std::holds_alternative<Collider>(entry.item);
@@ -23,7 +25,7 @@ EmptyHint::EmptyHint(Document& document, Viewport& viewport)
     , m_viewport(viewport)
 {
     setObjectName(QStringLiteral("emptyHint"));
-    setText(tr("This scene is empty.\n\n"
+    setText(tr("This scene is empty. Its squares are 1 m wide, the person is 1.75 m tall.\n\n"
                "Insert brings in a whole kite, glider, parachute or cloth.\n"
                "File, Import makes fabric of a mesh (Ctrl+Shift+I).\n"
                "Draw, Links draws one particle after the other (D)."));
@@ -39,7 +41,7 @@ void EmptyHint::refresh()
 {
     setVisible(std::ranges::none_of(m_document.scene().items, isSeen));
     adjustSize();
-    move((m_viewport.width() - width()) / 2, (m_viewport.height() - height()) / 3);
+    move((m_viewport.width() - width()) / 2, fromUpperEdge);
 }
 
 bool EmptyHint::eventFilter(QObject* watched, QEvent* event)

@@ -47,10 +47,14 @@ void Arrivals::insert(const QString& builder)
     m_viewport.transformTool().goToDesign();
     BuilderDialog dialog(builder, {m_document, m_selection, m_viewport.camera().focus}, &m_window);
     connect(&dialog, &BuilderDialog::shown, &m_viewport,
-            [this](const std::vector<Id>& bodies) { m_viewport.fit(bodies); });
+            [this, &dialog](const std::vector<Id>& bodies) {
+                m_viewport.fit(bodies, dialog.frameGeometry());
+            });
     const Camera before = m_viewport.camera();
     if (dialog.exec() == QDialog::Rejected)
         m_viewport.look(before); // the preview took it elsewhere
+    else
+        m_viewport.fit(m_selection.ids()); // with all of the view, now that the dialog is gone
 }
 
 void Arrivals::importMesh(const QString& file)

@@ -1907,12 +1907,12 @@
     </message>
     <message>
         <location filename="empty_hint.cpp"/>
-        <source>This scene is empty.
+        <source>This scene is empty. Its squares are 1 m wide, the person is 1.75 m tall.
 
 Insert brings in a whole kite, glider, parachute or cloth.
 File, Import makes fabric of a mesh (Ctrl+Shift+I).
 Draw, Links draws one particle after the other (D).</source>
-        <translation>Cette scène est vide.
+        <translation>Cette scène est vide. Ses carreaux font 1 m de large, la personne 1,75 m de haut.
 
 Insertion amène un cerf-volant, un deltaplane, un parachute ou une toile.
 Fichier, Importer fait du tissu d’un maillage (Ctrl+Maj+I).

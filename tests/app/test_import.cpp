@@ -126,8 +126,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(size->text(), spaced("2 m wide, 2 m high, 2 m deep"), patience);
         report->setCurrentRow(0);
         dialog.findChild<QDoubleSpinBox*>("density")->setValue(100.0);
-        QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("2.4\u00a0kg"), qPrintable(counts->text()),
-                                  patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("2.4\u00a0kg"),
+                                  qPrintable(counts->text()), patience);
         QCOMPARE(report->currentRow(), 0); // fabric does not change the mesh
         dialog.findChild<QComboBox*>("structural")->setCurrentIndex(int(LinkStyle::Springs));
         QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("18 springs"), qPrintable(counts->text()),

@@ -2,6 +2,7 @@
 //
 // Stages: the builder dialog for new designs and every builder in it; insertion with a preview;
 // refusals and sliders; then parameters of a part, work by hand that would be lost, and detaching.
+#include "app/window_shop.h"
 #include "author/rebuild.h"
 #include "dialogs/builder_dialog.h"
 #include "document/document.h"
@@ -30,13 +31,8 @@ namespace {
 
 Scene built(const char* name) { return *build(*findBuilder(name), {}); }
 
-struct Shop
+struct Shop : WindowShop
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
-
     explicit Shop(Scene scene)
     {
         document.replace(std::move(scene));
@@ -99,6 +95,79 @@ class TestInsert : public QObject
     Q_OBJECT
 
 private slots:
+    // Whatever was looked at before: the camera stands before a person on squares of one metre.
+    void aNewSceneHasAPersonToCompareWith()
+    {
+        Shop shop(Scene{});
+        QVERIFY(shop.window.files().open(SCENES_DIR "/parachute.ripstop.json"));
+        Camera far;
+        far.focus = Vec3(500.0, 80.0, 0.0);
+        far.distance = 900.0;
+        shop.viewport.look(far);
+        shop.window.files().startNew();
+        const QRectF view = shop.viewport.rect();
+        const QPointF feet = shop.at(Vec3::Zero()), head = shop.at(Vec3(0.0, 1.75, 0.0));
+        QVERIFY(view.contains(feet) && view.contains(head));
+        QVERIFY(feet.y() - head.y() > 0.25 * view.height());
+        QVERIFY(feet.y() - head.y() < 0.8 * view.height());
+
+        // they are drawn, and go with the first thing that is inserted
+        const QImage with = shop.viewport.image(Viewport::Overlays::Without);
+        const auto shownAt = [&](const QImage& image, QPointF place) {
+            const int x = int(place.x()), y = int(place.y());
+            int differing = 0; // from the ground beside, at the height of the chest
+            for (int dx = -12; dx <= 12; ++dx)
+                differing += std::abs(image.pixelColor(x + dx, y).lightness()
+                                      - image.pixelColor(x + 40, y).lightness())
+                             > 25;
+            return differing > 0;
+        };
+        const QPointF chest = shop.at(Vec3(0.0, 1.2, 0.0));
+        QVERIFY(shownAt(with, chest));
+        Scene scene = shop.document.scene();
+        Part part;
+        part.particles.push_back({.id = takeId(scene), .position = Vec3(20.0, 0.0, 0.0)});
+        scene.items.push_back({takeId(scene), part});
+        shop.document.replace(scene);
+        shop.viewport.look(far);
+        QTRY_VERIFY(shop.player.frame() != nullptr);
+        QVERIFY(shop.viewport.image(Viewport::Overlays::Without) != with);
+    }
+
+    // What is built is seen beside the dialog, and fills the view once that is gone.
+    void whatIsInsertedIsSeenBesideTheDialog()
+    {
+        Shop shop(Scene{});
+        shop.window.resize(1600, 900);
+        shop.window.files().startNew();
+        QTest::qWait(20);
+        const auto bounds = [&shop] {
+            QRectF box;
+            forEachPart(shop.document.scene(), [&](Id, const Part& part) {
+                for (const Particle& particle : part.particles) {
+                    const QPointF place = shop.at(particle.position);
+                    box = box.isNull() ? QRectF(place, QSizeF(1, 1))
+                                       : box.united(QRectF(place, QSizeF(1, 1)));
+                }
+            });
+            return box;
+        };
+        shop.during<BuilderDialog>("insert parachute", [&](BuilderDialog& dialog) {
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            const QPoint corner = shop.viewport.mapFromGlobal(dialog.frameGeometry().topLeft());
+            QVERIFY(corner.x() < shop.viewport.width()); // it covers a part of the view
+            QVERIFY2(bounds().right() < corner.x(), "it is under the dialog");
+            QVERIFY(bounds().left() > 0.0);
+            QVERIFY(std::max(bounds().width() / corner.x(),
+                             bounds().height() / shop.viewport.height())
+                    > 0.5); // close
+            okOf(dialog)->click();
+        });
+        const QRectF view = shop.viewport.rect();
+        QVERIFY(view.contains(bounds()));
+        QVERIFY(std::max(bounds().width() / view.width(), bounds().height() / view.height()) > 0.5);
+    }
+
     void theBuilderDialogBuildsWhatItSays()
     {
         BuilderDialog dialog("delta_kite");

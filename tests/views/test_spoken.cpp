@@ -66,14 +66,30 @@ private slots:
         QTest::addColumn<QString>("unit");
         QTest::addColumn<QString>("number");
         QTest::addColumn<QString>("beside");
-        QTest::newRow("usual") << 0.25 << "m" << "0.25" << "m";
-        QTest::newRow("small") << 8e-4 << "m" << "0.8 mm" << "";
-        QTest::newRow("line") << 5e-4 << "kg/m" << "0.5 g/m" << "";
-        QTest::newRow("stiff") << 1e6 << "N/m" << "1 MN/m" << "";
-        QTest::newRow("nothing") << 0.0 << "m" << "0" << "m";
-        QTest::newRow("no prefix") << 1e-5 << "" << "0.00001" << "";
-        QTest::newRow("many") << 2e7 << "" << "20000000" << "";
-        QTest::newRow("rounding stays") << 1e-12 << "" << "0.000000000001" << "";
+        QTest::newRow("usual") << 0.25 << "m"
+                               << "0.25"
+                               << "m";
+        QTest::newRow("small") << 8e-4 << "m"
+                               << "0.8 mm"
+                               << "";
+        QTest::newRow("line") << 5e-4 << "kg/m"
+                              << "0.5 g/m"
+                              << "";
+        QTest::newRow("stiff") << 1e6 << "N/m"
+                               << "1 MN/m"
+                               << "";
+        QTest::newRow("nothing") << 0.0 << "m"
+                                 << "0"
+                                 << "m";
+        QTest::newRow("no prefix") << 1e-5 << ""
+                                   << "0.00001"
+                                   << "";
+        QTest::newRow("many") << 2e7 << ""
+                              << "20000000"
+                              << "";
+        QTest::newRow("rounding stays") << 1e-12 << ""
+                                        << "0.000000000001"
+                                        << "";
     }
     // A bare number is in the unit of the field, whatever it shows.
     void fields()

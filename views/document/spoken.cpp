@@ -16,8 +16,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double nothing = 1e-9;   // in SI: what is less is an error of rounding
-constexpr int fieldDigits = 6;     // as compactNumber() has
+constexpr double nothing = 1e-9; // in SI: what is less is an error of rounding
+constexpr int fieldDigits = 6;   // as compactNumber() has
 constexpr double leastInField = 1e-3;
 constexpr double mostInField = 1e6;
 

@@ -1,12 +1,15 @@
 // rebuild() makes three actors for each plane: the disc, thin lines and bold lines, with depth
 // offsets that put the disc behind the shadow and the shadow behind the lines.
 //
+// A scene without anything gets the plane y = 0 with squares of one metre.
+//
 // update() finds the place below the middle of what is shown, and returns at once when the disc is
 // still near enough. Otherwise it draws the disc (rings and spokes of points whose opacity fades
 // outwards) and the lines (multiples of a round step, cut to the disc, in pieces that fade as
 // well).
 #include "layers/ground_layer.h"
 
+#include "layers/person_layer.h"
 #include "look/collider_geometry.h"
 
 #include <vtkRenderer.h>
@@ -75,7 +78,7 @@ double fade(double share)
 
 double groundRadius(const Eigen::AlignedBox3d& bounds)
 {
-    const double size = bounds.isEmpty() ? 1.0 : std::max(bounds.diagonal().norm(), 0.2);
+    const double size = bounds.isEmpty() ? 10.0 : std::max(bounds.diagonal().norm(), 0.2);
     return roundedUp(2.0 * size);
 }
 
@@ -181,22 +184,28 @@ void GroundLayer::rebuild(const Picture& picture)
 
     for (const Entry& entry : picture.scene.items) {
         const Collider* collider = std::get_if<Collider>(&entry.item);
-        if (!collider || !collider->shown || collider->shape != ColliderShape::Plane)
-            continue;
-        auto ground = std::make_shared<Ground>();
-        ground->collider = entry.id;
-        // the disc lies behind the shadow, the shadow behind the lines
-        ground->disc.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
-        ground->lines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);
-        ground->boldLines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);
-        for (Actor* actor : {&ground->disc, &ground->lines, &ground->boldLines})
-            m_renderer->AddActor(actor->actor);
-        const float width = float(picture.pixelRatio);
-        ground->lines.actor->GetProperty()->SetLineWidth(width);
-        ground->boldLines.actor->GetProperty()->SetLineWidth(1.2F * width);
-        m_grounds.push_back(std::move(ground));
+        if (collider && collider->shown && collider->shape == ColliderShape::Plane)
+            add(entry.id, picture.pixelRatio);
     }
+    if (hasNothing(picture.scene)) // squares to begin on, which hold nothing
+        add(noId, picture.pixelRatio);
     setShown(m_shown);
+}
+
+void GroundLayer::add(Id collider, double pixelRatio)
+{
+    auto ground = std::make_shared<Ground>();
+    ground->collider = collider;
+    // the disc lies behind the shadow, the shadow behind the lines
+    ground->disc.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
+    ground->lines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);
+    ground->boldLines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);
+    for (Actor* actor : {&ground->disc, &ground->lines, &ground->boldLines})
+        m_renderer->AddActor(actor->actor);
+    const auto width = float(pixelRatio);
+    ground->lines.actor->GetProperty()->SetLineWidth(width);
+    ground->boldLines.actor->GetProperty()->SetLineWidth(1.2F * width);
+    m_grounds.push_back(std::move(ground));
 }
 
 void GroundLayer::update(const Picture& picture)

@@ -25,12 +25,15 @@ public:
 private:
     struct Ground;
 
+    void add(Id collider, double pixelRatio);
+
     vtkRenderer* m_renderer = nullptr;
     std::vector<std::shared_ptr<Ground>> m_grounds;
     bool m_shown = true;
 };
 
-// Metres from the middle of the disc to its rim, a round number well beyond what is shown.
+// Metres from the middle of the disc to its rim, a round number well beyond what is shown; so much
+// that squares are one metre wide where nothing is.
 double groundRadius(const Eigen::AlignedBox3d& bounds);
 
 } // namespace ripstop

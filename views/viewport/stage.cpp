@@ -66,11 +66,11 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 16> Stage::layers()
+std::array<Layer*, 17> Stage::layers()
 {
     return {&m_ground,  &m_shadow,      &m_colliders, &panels,   &links,  &particles,
             &m_weights, &m_highlight,   &m_pins,      &m_guides, &m_wind, &m_vectors,
-            &ghost,     &m_designGhost, &trails,      &m_grain};
+            &ghost,     &m_designGhost, &trails,      &m_grain,  &m_person};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft

@@ -17,6 +17,7 @@
 #include "layers/link_layer.h"
 #include "layers/panel_layer.h"
 #include "layers/particle_layer.h"
+#include "layers/person_layer.h"
 #include "layers/shadow_layer.h"
 #include "layers/trail_layer.h"
 #include "layers/vector_layer.h"
@@ -94,7 +95,7 @@ private:
     bool somethingBroke() const;
     std::ptrdiff_t lateOnes() const; // colliders whose file is being read
     void takeDesign(const Scene& scene);
-    std::array<Layer*, 16> layers();
+    std::array<Layer*, 17> layers();
 
     PinLayer m_pins;
     GuideLayer m_guides;
@@ -102,6 +103,7 @@ private:
     HighlightLayer m_highlight;
     GroundLayer m_ground;
     ColliderLayer m_colliders;
+    PersonLayer m_person;
     ShadowLayer m_shadow;
     WindLayer m_wind;
     VectorLayer m_vectors;

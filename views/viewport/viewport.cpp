@@ -20,7 +20,9 @@
 namespace ripstop {
 namespace {
 
-constexpr int corner = 12; // pixels between the edge and what lies over the view
+constexpr int corner = 12;    // pixels between the edge and what lies over the view
+constexpr double room = 2.2;  // m, half of what is seen of a scene without anything in it
+constexpr double most = 0.65; // of the width, that a dialog may take from what is fitted
 
 } // namespace
 
@@ -113,8 +115,10 @@ void Viewport::Private::click(Id id, Qt::KeyboardModifiers keys)
 void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
-    camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect(),
-               overlayMargins());
+    std::vector<Vec3> points = wholeScene ? stage.shownPoints() : stage.subjectPoints();
+    if (points.empty()) // a new scene: a room around the person that stands there
+        points = {Vec3(-room, 0.0, -room), Vec3(room, 0.0, room), Vec3(0.0, room, 0.0)};
+    camera.fit(points, aspect(), overlayMargins());
     chase.settle(stage.frame().get());
     screen.renderSoon();
 }
@@ -339,14 +343,18 @@ void Viewport::centre(const std::vector<Id>& ids)
     emit cameraChanged();
 }
 
-void Viewport::fit(const std::vector<Id>& ids)
+void Viewport::fit(const std::vector<Id>& ids, const QRect& covered)
 {
     d->stage.prepare(d->document.scene());
     const std::vector<Vec3> places = d->stage.pointsOf(d->document.scene(), ids);
     if (places.empty())
         return fit();
     d->untouched = false;
-    d->camera.fit(places, d->aspect(), d->overlayMargins());
+    OverlayMargins margins = d->overlayMargins();
+    const QRect under = QRect(mapToGlobal(QPoint()), size()).intersected(covered);
+    if (under.isValid() && under.width() < width())
+        margins.right = std::max(margins.right, std::min(double(under.width()) / width(), most));
+    d->camera.fit(places, d->aspect(), margins);
     d->screen.renderSoon();
     emit cameraChanged();
 }

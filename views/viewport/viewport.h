@@ -70,7 +70,9 @@ public:
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
-    void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
+    // These elements or items; everything when there are none. They fit beside what covers the
+    // right of the view, as a dialog does, in pixels of the screen.
+    void fit(const std::vector<Id>& ids, const QRect& covered = {});
     void centre(const std::vector<Id>& ids); // from as far as it is seen now
     void look(const Camera& camera);         // shows the view as from there again
     void view(PresetView preset);
