@@ -1,5 +1,5 @@
-// Patches are laid on a mesh that has its panels and weighed there; their numbers follow when makeOf()
-// gives those of the cloth below.
+// Patches are laid on a mesh that has its panels and weighed there; their numbers follow when
+// makeOf() gives those of the cloth below.
 #include "builders/reinforcement.h"
 
 #include "materials/presets.h"

@@ -78,7 +78,7 @@ void fitFilling(const std::vector<double>& dragArea, double stepLength, Flight& 
 std::unique_ptr<Simulation> made(const Chute& chute)
 {
     Parameters parameters = chute.parameters;
-    parameters["cloth"] = 0.0; // ideal, as heavy and porous as the chute says
+    parameters.emplace("cloth", 0.0); // ideal, as heavy and porous as the chute says
     parameters["speed"] = chute.held ? 0.0 : chute.speed;
     Scene scene = *build(*findBuilder("parachute"), parameters);
     scene.settings.gravity = {0.0, -chute.gravity, 0.0};

@@ -9,6 +9,7 @@
 #include "measure/diagnostics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,7 +23,10 @@ struct ReferenceWing
     double aspect; // 1, span^2 / area
     double mass;   // kg, with pilot
     AirLaw law;
-    double drag; // 1, CD0 of its class
+    double drag;                 // 1, CD0 of its class
+    const char* cloth = "ideal"; // keeps its shape
+    const char* spars = "ideal";
+    const char* made = "ideal"; // in words
 };
 
 struct Point
@@ -30,6 +34,22 @@ struct Point
     double speed; // m/s, along the path
     double sink;  // m/s
 };
+
+// The fittings of a wing of real cloth weigh what sail, tubes and pilot leave of its mass.
+std::unique_ptr<Simulation> flown(const ReferenceWing& wing, Parameters given)
+{
+    for (const auto& [parameter, choice] :
+         {std::pair("cloth", wing.cloth), std::pair("spars", wing.spars)})
+        given[parameter] = choiceOf("hang_glider", parameter, choice);
+    if (given["cloth"] > 0.0) {
+        given["fittings"] = 1.0;
+        const auto light = design("hang_glider", given);
+        if (!light)
+            return nullptr;
+        given["fittings"] = wing.mass - (totalMass(light->system()) - 1.0);
+    }
+    return design("hang_glider", given);
+}
 
 // Flown at nine trims; by rising speed. Sail and twist are the builder's. With the plate law the
 // slope is that which the builder's help gives for a delta of this aspect ratio,
@@ -41,17 +61,15 @@ std::vector<Point> polarOf(const ReferenceWing& wing)
                          / (2.0 + std::sqrt(wing.aspect * wing.aspect + 8.0));
     std::vector<Point> polar;
     for (const double trim : {8.0, 9.0, 10.0, 11.0, 12.5, 15.0, 18.0, 22.0, 26.0}) {
-        const auto glider =
-            design("hang_glider", {{"cloth", 0.0}, // ideal: the wing keeps its shape
-                                   {"span", span},
-                                   {"chord", 2.0 * wing.area / span},
-                                   {"wing_mass", 0.3 * wing.mass},
-                                   {"pilot_mass", 0.7 * wing.mass},
-                                   {"lift_slope", slope},
-                                   {"vortex", wing.law == AirLaw::Vortex},
-                                   {"drag", wing.drag},
-                                   {"speed", trim},
-                                   {"altitude", 2000.0}});
+        const auto glider = flown(wing, {{"span", span},
+                                         {"chord", 2.0 * wing.area / span},
+                                         {"wing_mass", 0.3 * wing.mass},
+                                         {"pilot_mass", 0.7 * wing.mass},
+                                         {"lift_slope", slope},
+                                         {"vortex", wing.law == AirLaw::Vortex},
+                                         {"drag", wing.drag},
+                                         {"speed", trim},
+                                         {"altitude", 2000.0}});
         if (!glider || !glider->runUntil(30.0))
             continue;
         const Vec3 from = centerOfMass(glider->system(), glider->state().position);
@@ -94,6 +112,52 @@ double sinkAt(const std::vector<Point>& polar, double speed) // m/s, between the
     return std::numeric_limits<double>::quiet_NaN();
 }
 
+// A wing of real materials, and the ideal one.
+std::array<ReferenceWing, 2> both(ReferenceWing wing, const char* cloth, const char* spars,
+                                  const char* made)
+{
+    const ReferenceWing ideal = wing;
+    wing.cloth = cloth;
+    wing.spars = spars;
+    wing.made = made;
+    return {wing, ideal};
+}
+
+template <typename Row> // row(wing, what, low, high, unit, source, measure)
+void addSingleSurfaces(Row row)
+{
+    const ReferenceWing wing{"single surface, USHPA-2", 15.5, 5.5, 100.0, AirLaw::Vortex, 0.045};
+    for (const ReferenceWing& single :
+         both(wing, "dacron_sail", "aluminium_50", "Dacron on 50 mm tubes")) {
+        const auto polar = shared([=] { return polarOf(single); });
+        row(single, "best glide", 9.5, 9.5, "", "XCSoar PolarStore",
+            [=] { return bestGlide(polar()); });
+        row(single, "least sink", 1.04, 1.04, "m/s", "XCSoar PolarStore",
+            [=] { return leastSink(polar()); });
+        const char* sport = "Wills Wing Sport 2, f0n/polar";
+        for (const auto& [speed, sink] : {std::pair(44.4, 0.987), {64.0, 2.28}, {88.5, 6.10}}) {
+            char title[60];
+            std::snprintf(title, sizeof title, "sink at %g km/h, beside a Sport 2", speed);
+            row(single, title, sink, sink, "m/s", sport,
+                [=, speed = speed] { return sinkAt(polar(), speed / 3.6); });
+        }
+    }
+}
+
+template <typename Row>
+void addTopless(Row row)
+{
+    const ReferenceWing wing{"topless, USHPA-4", 14.0, 7.2, 100.0, AirLaw::Vortex, 0.03};
+    for (const ReferenceWing& topless :
+         both(wing, "laminate_scrim", "aluminium_62", "laminate on 62 mm tubes")) {
+        const auto polar = shared([=] { return polarOf(topless); });
+        row(topless, "best glide", 13.4, 13.4, "", "XCSoar PolarStore",
+            [=] { return bestGlide(polar()); });
+        row(topless, "least sink", 0.88, 0.88, "m/s", "XCSoar PolarStore",
+            [=] { return leastSink(polar()); });
+    }
+}
+
 } // namespace
 
 std::vector<Reference> gliderReferences()
@@ -104,37 +168,22 @@ std::vector<Reference> gliderReferences()
                          const char* unit, const char* source, auto measure) {
         char note[160];
         std::snprintf(note, sizeof note,
-                      "hang_glider, %g m2, aspect ratio %g, %g kg, CD0 %g, law %s", wing.area,
-                      wing.aspect, wing.mass, wing.drag, nameOf(wing.law).c_str());
-        references.push_back({section, wing.name + std::string(", ") + what, low, high, unit,
-                              source, note, measure});
+                      "hang_glider, %g m2, aspect ratio %g, %g kg, CD0 %g, law %s, %s", wing.area,
+                      wing.aspect, wing.mass, wing.drag, nameOf(wing.law).c_str(), wing.made);
+        const bool isIdeal = wing.made == std::string_view("ideal");
+        references.push_back({section, wing.name + std::string(isIdeal ? ", ideal, " : ", ") + what,
+                              low, high, unit, source, note, measure});
     };
-    const ReferenceWing rogallo{
+    const ReferenceWing ofTheSeventies{
         "standard Rogallo of the 1970s", 18.0, 2.6, 90.0, AirLaw::LinearNormal, 0.06};
-    const auto old = shared([=] { return polarOf(rogallo); });
-    row(rogallo, "best glide", 3.5, 4.5, "", "british-hang-gliding-museum; plans of 1974",
-        [=] { return bestGlide(old()); });
-
-    const ReferenceWing single{"single surface, USHPA-2", 15.5, 5.5, 100.0, AirLaw::Vortex, 0.045};
-    const auto middle = shared([=] { return polarOf(single); });
-    row(single, "best glide", 9.5, 9.5, "", "XCSoar PolarStore",
-        [=] { return bestGlide(middle()); });
-    row(single, "least sink", 1.04, 1.04, "m/s", "XCSoar PolarStore",
-        [=] { return leastSink(middle()); });
-    const char* sport = "Wills ReferenceWing Sport 2, f0n/polar";
-    for (const auto& [speed, sink] : {std::pair(44.4, 0.987), {64.0, 2.28}, {88.5, 6.10}}) {
-        char title[60];
-        std::snprintf(title, sizeof title, "sink at %g km/h, beside a Sport 2", speed);
-        row(single, title, sink, sink, "m/s", sport,
-            [=, speed = speed] { return sinkAt(middle(), speed / 3.6); });
+    for (const ReferenceWing& rogallo :
+         both(ofTheSeventies, "dacron_sail", "aluminium_42", "Dacron on 42 mm tubes")) {
+        const auto old = shared([=] { return polarOf(rogallo); });
+        row(rogallo, "best glide", 3.5, 4.5, "", "british-hang-gliding-museum; plans of 1974",
+            [=] { return bestGlide(old()); });
     }
-
-    const ReferenceWing topless{"topless, USHPA-4", 14.0, 7.2, 100.0, AirLaw::Vortex, 0.03};
-    const auto late = shared([=] { return polarOf(topless); });
-    row(topless, "best glide", 13.4, 13.4, "", "XCSoar PolarStore",
-        [=] { return bestGlide(late()); });
-    row(topless, "least sink", 0.88, 0.88, "m/s", "XCSoar PolarStore",
-        [=] { return leastSink(late()); });
+    addSingleSurfaces(row);
+    addTopless(row);
     return references;
 }
 

@@ -22,7 +22,7 @@ namespace {
 // of the mass in all.
 double descentRate(Parameters given, double mass) // m/s
 {
-    given["cloth"] = 0.0; // ideal, as heavy as is said
+    given.emplace("cloth", 0.0); // ideal, as heavy as is said
     given["payload"] = 1.0;
     given["altitude"] = 1000.0;
     const auto light = design("parachute", given);
@@ -66,24 +66,40 @@ double projectedRatio(double hoop)
     return 2.0 * mean / 5.0; // the builder's D0 is 5 m
 }
 
-// The C-9 of the builder, thrown down at 60 m/s or as it sinks, without a hoop.
-Flight flightOfC9(bool opens)
+// What C-9 and T-10 are made of: nylon of 1.1 oz on cords of 550 lb.
+Parameters ofNylon()
+{
+    return {{"cloth", choiceOf("parachute", "cloth", "mil_7020_1")},
+            {"cord", choiceOf("parachute", "cord", "mil_5040_3")}};
+}
+
+Parameters joined(Parameters one, const Parameters& other)
+{
+    one.insert(other.begin(), other.end());
+    return one;
+}
+
+// The C-9, thrown down at 60 m/s or as it sinks, without a hoop.
+Flight flightOfC9(bool opens, const Parameters& materials)
 {
     Chute chute;
-    chute.parameters = sizeOfC9();
+    chute.parameters = joined(sizeOfC9(), materials);
     chute.gravity = 9.80665;
     chute.speed = opens ? 60.0 : 6.0;
     chute.until = opens ? 1.5 : 25.0;
     return fly(chute);
 }
 
-void addOpenings(std::vector<Reference>& references)
+void addOpenings(std::vector<Reference>& references, const Parameters& materials,
+                 const std::string& c9, const std::string& note)
 {
     const std::string section = "Parachutes";
-    const std::string note = "no hoop, air in the canopy; as the builder has it";
-    const std::string c9 = "C-9, canopy pressure, ";
-    const auto sinking = shared([] { return flightOfC9(false); });
-    const auto held = shared([] { return fly(heldC9(60.0)); });
+    const auto sinking = shared([=] { return flightOfC9(false, materials); });
+    const auto held = shared([=] {
+        Chute chute = heldC9(60.0);
+        chute.parameters = joined(chute.parameters, materials);
+        return fly(chute);
+    });
     references.push_back({section, c9 + "CD0 as it sinks with 100 kg", 0.75, 0.80, "",
                           "Knacke 1991, table 5-1, flat circular", note,
                           [=] { return sinking().drag; }});
@@ -97,7 +113,7 @@ void addOpenings(std::vector<Reference>& references)
                           [=] { return held().growth; }});
     references.push_back({section, c9 + "opening load, 100 kg down at 60 m/s", 9278.7, 9278.7, "N",
                           "drag area as (t / tf)^2 with CD0 0.775 and n = 8, integrated", note,
-                          [] { return flightOfC9(true).highest; }});
+                          [=] { return flightOfC9(true, materials).highest; }});
 }
 
 } // namespace
@@ -107,6 +123,16 @@ std::vector<Reference> parachuteReferences()
     const std::string section = "Parachutes";
     const std::string builder = "parachute with hoop, drag as the builder has it";
     std::vector<Reference> references;
+    references.push_back({section, "T-10D, 35 ft, 360 lb, descent, canopy pressure", 6.7, 7.3,
+                          "m/s", "FM 57-220; en.wikipedia.org T-10_parachute",
+                          "no hoop, air in the canopy; nylon of 1.1 oz, cords of 550 lb", [] {
+                              return descentRate(joined({{"diameter", 10.67},
+                                                         {"line_length", 7.77},
+                                                         {"sectors", 30},
+                                                         {"pressure", 1.68}},
+                                                        ofNylon()),
+                                                 163.3);
+                          }});
     references.push_back({section, "T-10D, 35 ft, 360 lb, descent", 6.7, 7.3, "m/s",
                           "FM 57-220; en.wikipedia.org T-10_parachute", builder, [] {
                               return descentRate(
@@ -136,7 +162,10 @@ std::vector<Reference> parachuteReferences()
              0.67, 0.70, "", "Knacke 1991, table 5-1",
              hoop ? "the hoop is given that width" : "starts open; lines and air alone keep it so",
              [=] { return projectedRatio(hoop); }});
-    addOpenings(references);
+    addOpenings(references, ofNylon(), "C-9, canopy pressure, ",
+                "no hoop, air in the canopy; nylon of 1.1 oz, cords of 550 lb");
+    addOpenings(references, {}, "C-9, ideal, canopy pressure, ",
+                "no hoop, air in the canopy; ideal cloth, airtight");
     return references;
 }
 

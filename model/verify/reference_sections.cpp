@@ -2,6 +2,7 @@
 
 #include "compile/compile.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace ripstop {
@@ -13,6 +14,14 @@ std::unique_ptr<Simulation> design(std::string_view builder, const Parameters& g
         return nullptr;
     const auto system = compile(*scene);
     return system ? std::make_unique<Simulation>(*system) : nullptr;
+}
+
+double choiceOf(std::string_view builder, std::string_view parameter, std::string_view choice)
+{
+    for (const Parameter& one : findBuilder(builder)->parameters)
+        if (one.key == parameter)
+            return double(std::ranges::find(one.choices, choice) - one.choices.begin());
+    return 0.0;
 }
 
 double meanProbe(Simulation& simulation, std::string_view probe, double from, double to)

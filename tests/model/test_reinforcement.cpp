@@ -103,11 +103,10 @@ private slots:
     void liesWhereItIsPulled()
     {
         constexpr double radius = 0.1; // m
-        const Scene scene = craft("rectangular_kite", patched("rectangular_kite", 1.0,
-                                                              {{"columns", 60.0},
-                                                               {"rows", 60.0},
-                                                               {"bow", 0.0},
-                                                               {"patch_radius", radius}}));
+        const Scene scene = craft(
+            "rectangular_kite",
+            patched("rectangular_kite", 1.0,
+                    {{"columns", 60.0}, {"rows", 60.0}, {"bow", 0.0}, {"patch_radius", radius}}));
         const double expected = 5.0 * pi * radius * radius;
         const double area = patchedArea(scene);
         QVERIFY2(std::abs(area / expected - 1.0) < 0.03,
@@ -121,9 +120,10 @@ private slots:
                      partOf(craft(builder, {})).panels);
     }
 
-    // Both layers are stretched alike, E = E1 + E2, and the first breaks at N = E min(N1/E1, N2/E2).
-    // The corner tears at that load, so that the ratio of loads is that of the strengths: 2 of the
-    // same cloth; of another one 46 of 40 kN/m more stiffness, and the cloth that breaks first.
+    // Both layers are stretched alike, E = E1 + E2, and the first breaks at N = E min(N1/E1,
+    // N2/E2). The corner tears at that load, so that the ratio of loads is that of the strengths: 2
+    // of the same cloth; of another one 46 of 40 kN/m more stiffness, and the cloth that breaks
+    // first.
     void cornerTearsByTheRatioOfStrengths_data()
     {
         QTest::addColumn<QByteArray>("patch");
@@ -139,10 +139,10 @@ private slots:
         const auto at = [](const char* cloth, const char* key) { return number(cloth, key); };
         const double lower = at(base, "membraneStiffness");
         const double upper = at(patch, "membraneStiffness");
-        const double ratio = (lower + upper)
-                             * std::min(at(base, "warpStrength") / lower,
-                                        at(patch, "warpStrength") / upper)
-                             / at(base, "warpStrength");
+        const double ratio =
+            (lower + upper)
+            * std::min(at(base, "warpStrength") / lower, at(patch, "warpStrength") / upper)
+            / at(base, "warpStrength");
         qInfo("bears %.2f times as much", ratio);
         if (patch == base)
             QCOMPARE(ratio, 2.0);
