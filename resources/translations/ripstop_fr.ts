@@ -166,7 +166,7 @@
     <message>
         <location filename="brush_tool.cpp"/>
         <source>No panels and no links here to paint.</source>
-        <translation>Il n’y a ici ni panneau ni lien à peindre.</translation>
+        <translation>Il n’y a ici ni panneau ni liaison à peindre.</translation>
     </message>
     <message>
         <location filename="brush_tool.cpp"/>
@@ -11073,7 +11073,7 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="tables"/>
         <source>How many times as stiff the link is as its material makes it: above 1 where it is reinforced, below where it is worn; a stiffness of its own is taken as it is, and bending is not touched.</source>
-        <translation>Combien de fois le lien est plus raide que ne le fait son matériau : plus de 1 là où il est renforcé, moins là où il est usé ; une raideur propre est prise telle quelle, et la flexion n’est pas touchée.</translation>
+        <translation>Combien de fois la liaison est plus raide que ne le fait son matériau : plus de 1 là où elle est renforcée, moins là où elle est usée ; une raideur propre est prise telle quelle, et la flexion n’est pas touchée.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11083,7 +11083,7 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="tables"/>
         <source>How many times as strong the link is as its material makes it, for tears, snapping spars and margins: below 1 where it is worn or sewn; a tear limit of its own is taken as it is.</source>
-        <translation>Combien de fois le lien est plus résistant que ne le fait son matériau, pour les déchirures, les espars qui cassent et les marges : moins de 1 là où il est usé ou cousu ; une limite de déchirure propre est prise telle quelle.</translation>
+        <translation>Combien de fois la liaison est plus résistante que ne le fait son matériau, pour les déchirures, les espars qui cassent et les marges : moins de 1 là où elle est usée ou cousue ; une limite de déchirure propre est prise telle quelle.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14368,7 +14368,7 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="tables"/>
         <source>the link has a stiffness of its own</source>
-        <translation>le lien a sa propre raideur</translation>
+        <translation>la liaison a sa propre raideur</translation>
     </message>
     <message>
         <location filename="tables"/>

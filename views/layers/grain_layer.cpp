@@ -1,6 +1,6 @@
 // rebuild() chooses the panels that have a stroke and the pens; update() puts the strokes where the
-// warp runs now. They are drawn twice from the same points, wide in the colour of cards and then
-// thin in that of text.
+// warp runs now. They are drawn twice from the same points, wide in white and then thin in black,
+// as fabric has all colours in every theme.
 #include "layers/grain_layer.h"
 
 #include <vtkRenderer.h>
@@ -13,10 +13,10 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t mostStrokes = 20000;
-constexpr double strokeReach = 0.3;  // of the root of twice the area of a panel, either way
-constexpr double inkWidth = 1.6;     // pixels
-constexpr double edgeWidth = 3.4;    // pixels
-constexpr double beforeLinks = -8.0; // which lie along the sides
+constexpr double strokeReach = 0.3;     // of the root of twice the area of a panel, either way
+constexpr double inkWidth = 1.6;        // pixels
+constexpr double edgeWidth = 3.4;       // pixels
+constexpr double beforePanels = -100.0; // enough for wide strokes on fabric that is seen on edge
 
 } // namespace
 
@@ -33,7 +33,7 @@ GrainLayer::GrainLayer()
 {
     m_points->SetDataTypeToDouble();
     m_data->SetPoints(m_points);
-    double offset = beforeLinks;
+    double offset = beforePanels;
     for (Pen* pen : {&m_edge, &m_ink}) {
         pen->mapper->SetInputData(m_data);
         pen->mapper->ScalarVisibilityOff();
@@ -77,13 +77,12 @@ void GrainLayer::rebuild(const Picture& picture)
         strokes.push_back({2 * i, 2 * i + 1});
     m_data->SetLines(cellsOf<2>(strokes));
     m_points->SetNumberOfPoints(vtkIdType(2 * m_panels.size()));
-    const auto style = [&](Pen& pen, double width, QColor color) {
-        color.setAlpha(255);
+    const auto style = [&](Pen& pen, double width, const QColor& color) {
         pen.actor->GetProperty()->SetLineWidth(float(picture.pixelRatio * width));
         setColor(*pen.actor->GetProperty(), color);
     };
-    style(m_edge, edgeWidth, picture.theme.card);
-    style(m_ink, inkWidth, picture.theme.text);
+    style(m_edge, edgeWidth, QColor(Qt::white));
+    style(m_ink, inkWidth, QColor(Qt::black));
 }
 
 void GrainLayer::update(const Picture& picture)
