@@ -144,15 +144,15 @@ private slots:
         const auto bounds = [&shop] {
             QRectF box;
             forEachPart(shop.document.scene(), [&](Id, const Part& part) {
-                for (const Particle& particle : part.particles) {
-                    const QPointF place = shop.at(particle.position);
+                for (const Panel& panel : part.panels) {
+                    const QPointF place = shop.at(findRow(part.particles, panel.a)->position);
                     box = box.isNull() ? QRectF(place, QSizeF(1, 1))
                                        : box.united(QRectF(place, QSizeF(1, 1)));
                 }
             });
             return box;
         };
-        shop.during<BuilderDialog>("insert parachute", [&](BuilderDialog& dialog) {
+        shop.during<BuilderDialog>("insert delta_kite", [&](BuilderDialog& dialog) {
             QTRY_VERIFY(okOf(dialog)->isEnabled());
             const QPoint corner = shop.viewport.mapFromGlobal(dialog.frameGeometry().topLeft());
             QVERIFY(corner.x() < shop.viewport.width()); // it covers a part of the view

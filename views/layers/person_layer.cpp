@@ -1,5 +1,5 @@
-// The figure is drawn once, of strokes in the plane that the first view looks across; rebuild() shows
-// it while a scene has nothing and gives it the colour of the theme.
+// The figure is drawn once, of strokes in the plane that the first view looks across; rebuild()
+// shows it while a scene has nothing and gives it the colour of the theme.
 #include "layers/person_layer.h"
 
 #include <vtkCellArray.h>
@@ -36,8 +36,8 @@ std::vector<Stroke> strokesOfPerson()
     Stroke head;
     for (int i = 0; i <= headSides; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / headSides;
-        head.push_back({0.8 * headRadius * std::sin(angle),
-                        chin + headRadius * (1.0 - std::cos(angle))});
+        head.push_back(
+            {0.8 * headRadius * std::sin(angle), chin + headRadius * (1.0 - std::cos(angle))});
     }
     return {head,
             {{0.0, chin}, {0.0, hips}},
@@ -65,9 +65,8 @@ PersonLayer::PersonLayer()
     for (const Stroke& stroke : strokesOfPerson()) {
         lines->InsertNextCell(int(stroke.size()));
         for (const auto& [across, up] : stroke)
-            lines->InsertCellPoint(
-                points->InsertNextPoint(across * std::numbers::sqrt2 / 2.0, up,
-                                        -across * std::numbers::sqrt2 / 2.0));
+            lines->InsertCellPoint(points->InsertNextPoint(across * std::numbers::sqrt2 / 2.0, up,
+                                                           -across * std::numbers::sqrt2 / 2.0));
     }
     m_data->SetPoints(points);
     m_data->SetLines(lines);
@@ -89,7 +88,7 @@ void PersonLayer::setShown(bool shown)
 void PersonLayer::rebuild(const Picture& picture)
 {
     m_isWanted = hasNothing(picture.scene);
-    const QColor& color = picture.theme.neutral;
+    const QColor& color = picture.theme.text;
     m_actor->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
     m_actor->GetProperty()->SetLineWidth(strokeWidth * float(picture.pixelRatio));
     setShown(m_shown);

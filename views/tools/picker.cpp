@@ -1,6 +1,7 @@
 // under() goes through the kinds in the order in which a person aims: particles within eight
-// pixels, links within five, from the nearest to the farthest, each only if no panel or collider
-// hides the place; then whichever of panel and collider the ray meets first.
+// pixels (five where they have no dots), links within five, from the nearest to the farthest, each
+// only if no panel or collider hides the place; then whichever of panel and collider the ray meets
+// first.
 //
 // particlesNear() and linksNear() measure in the picture. The place on a link is found with the
 // depths of its ends, as half way in the picture is not half way in the world.
@@ -17,6 +18,7 @@ namespace ripstop {
 namespace {
 
 constexpr double particleReach = 8.0; // pixels
+constexpr double cornerReach = 5.0;   // pixels, to a particle without a dot
 constexpr double linkReach = 5.0;     // pixels
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -40,8 +42,9 @@ std::vector<Near> particlesNear(const Picker& picker, std::span<const OnScreen> 
     const Layout& layout = *picker.view.frame.layout;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double dx = points[i].x - x, dy = points[i].y - y;
-        if (points[i].isSeen() && dx * dx + dy * dy < particleReach * particleReach
-            && picker.view.look.particleShown[i] && picker.pickable.particles(layout.pinned[i]))
+        const double reach = picker.pickable.hasDot(layout.pinned[i]) ? particleReach : cornerReach;
+        if (points[i].isSeen() && dx * dx + dy * dy < reach * reach
+            && picker.view.look.particleShown[i] && picker.pickable.particles())
             found.push_back({std::hypot(dx, dy), i, 0.0});
     }
     sortByDistance(found);

@@ -26,11 +26,9 @@ struct Pickable
 
     bool links() const { return wanted.links && drawn.links; }
     bool panels() const { return wanted.panels && drawn.panels; }
-    // Pins are always drawn. Who wants particles and nothing else gets those without a dot as well.
-    bool particles(bool pinned) const
-    {
-        return wanted.particles && (drawn.particles || pinned || (!wanted.links && !wanted.panels));
-    }
+    // Also where particles have no dots: the corners of fabric are there to be seen.
+    bool particles() const { return wanted.particles; }
+    bool hasDot(bool pinned) const { return drawn.particles || pinned; } // pins are always drawn
 };
 
 // What was found: an element of the frame, or a collider.

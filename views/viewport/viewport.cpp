@@ -117,7 +117,7 @@ void Viewport::Private::fitNow()
     stage.prepare(document.scene());
     std::vector<Vec3> points = wholeScene ? stage.shownPoints() : stage.subjectPoints();
     if (points.empty()) // a new scene: a room around the person that stands there
-        points = {Vec3(-room, 0.0, -room), Vec3(room, 0.0, room), Vec3(0.0, room, 0.0)};
+        points = {Vec3(-room, 0.0, -room), Vec3(room, 0.0, room), Vec3(0.0, 1.5 * room, 0.0)};
     camera.fit(points, aspect(), overlayMargins());
     chase.settle(stage.frame().get());
     screen.renderSoon();
