@@ -40,6 +40,11 @@ constexpr std::array<MenuRows (*)(const Workbench&), 15> sources{
     fileRows,     editRows, selectRows, insertRows,   designRows, drawRows,    viewRows, themeRows,
     languageRows, runRows,  tuningRows, timelineRows, toolRows,   measureRows, helpRows};
 
+// What colours by each quantity, in the order of ColorBy. The view says by which, and the menu
+// follows.
+constexpr std::array colorings{"byMaterial", "byStrain", "byTension",  "bySpeed", "byLoad",
+                               "byTear",     "byStress", "byWrinkles", "byMargin"};
+
 // Whether the row shows or hides something in the view, or is one of the ways of colouring it.
 bool isOfView(const MenuRow& row)
 {
@@ -67,6 +72,7 @@ Menus::Menus(const Workbench& bench)
     connect(&bench.files, &Files::recentChanged, this, &Menus::fillRecent);
     connect(&bench.viewport.pointing(), &Pointing::toolLeft, this,
             [this] { m_bench->actions["toolPointer"]->setChecked(true); });
+    connect(&bench.viewport, &Viewport::colorByChanged, this, &Menus::keepCurrent);
     fillRecent();
     keepCurrent();
     bench.viewport.setParticlesShown(bench.actions["particles"]->isChecked());
@@ -143,6 +149,7 @@ void Menus::keepCurrent()
     actions["move"]->setChecked(shaping == Shaping::Move);
     actions["rotate"]->setChecked(shaping == Shaping::Turn);
     actions["scale"]->setChecked(shaping == Shaping::Scale);
+    actions[colorings[std::size_t(m_bench->viewport.colorBy())]]->setChecked(true);
     const bool playing = m_bench->player.isPlaying();
     actions["play"]->setText(playing ? tr("&Pause") : tr("&Play"));
     actions["play"]->setIcon(icon(playing ? "pause" : "play"));

@@ -1,3 +1,5 @@
+// Each way in has a dialog, and afterwards the view goes to what has come: to its fabric, where it
+// has some.
 #include "files/arrivals.h"
 
 #include "dialogs/builder_dialog.h"

@@ -107,6 +107,7 @@ private slots:
     {
         Shop shop(Sheet().scene);
         shop.viewport.setColorBy(ColorBy::Speed);
+        QVERIFY(shop.window.actions()["bySpeed"]->isChecked()); // whoever chose it
         shop.player.playUntil(0.05);
         QTRY_VERIFY(shop.player.frame() && shop.frame().time > 0.04 && !shop.player.isPlaying());
         auto* legend = shop.viewport.findChild<Legend*>();

@@ -248,7 +248,7 @@ private slots:
         QVERIFY2(editor.statusSays(QString("1%1m\u00b2").arg(QChar(0xa0))), // 1 m x 1 m
                  qPrintable(editor.status()));
         editor.trigger("allParticles");
-        QTRY_VERIFY(editor.statusSays(QString("0.25%1kg").arg(QChar(0xa0)))); // 0.25 kg/m^2
+        QTRY_VERIFY(editor.statusSays(QString("250%1g").arg(QChar(0xa0)))); // 0.25 kg/m^2
         editor.trigger("deselect");
         QTRY_VERIFY(!editor.statusSays("Selected"));
     }

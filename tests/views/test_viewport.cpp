@@ -3,6 +3,7 @@
 // Stages: pictures of one red panel tell by their pixels whether panels and arrows are drawn; then
 // torn panels, following cameras, clicks, fitting beside what is covered, drags of hands and
 // controls, turning and zooming; at the end the design of every builder has to fit the picture.
+#include "tools/pointing.h"
 #include "viewport/viewport.h"
 #include "views/run_with_widgets.h"
 
@@ -202,6 +203,34 @@ private slots:
         QCOMPARE(view.selection.ids(), std::vector{Id{5}});
         QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, {2, 2});
         QVERIFY(view.selection.ids().empty());
+    }
+
+    // Particles have no dots here, and are not pinned: a click near a corner takes it, and one on
+    // the middle of the panel the panel.
+    void cornersOfFabricArePicked()
+    {
+        Scene scene = redPanel();
+        for (Particle& particle : std::get<Part>(scene.items[0].item).particles)
+            particle.pinned = false;
+        View view(std::move(scene));
+        view.viewport.setParticlesShown(false);
+        QTRY_VERIFY(view.player.frame());
+        const double aspect = double(view.viewport.width()) / view.viewport.height();
+        const Eigen::Vector4d p =
+            view.viewport.camera().projection(aspect) * Vec3(-1, -1, 0).homogeneous();
+        const QPointF corner(0.5 * view.viewport.width() * (1.0 + p.x() / p.w()),
+                             0.5 * view.viewport.height() * (1.0 - p.y() / p.w()));
+        QCOMPARE(view.viewport.pick(corner), Id{2});
+        QCOMPARE(view.viewport.pick(corner + QPointF(3, -1)), Id{2});
+        QCOMPARE(view.viewport.pick(corner + QPointF(30, -10)), Id{5});
+        QCOMPARE(view.viewport.pick({200, 160}), Id{5});
+        const QPointF near = corner + QPointF(2, -1);
+        QMouseEvent move(QEvent::MouseMove, near, view.viewport.mapToGlobal(near), Qt::NoButton,
+                         Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&view.viewport, &move);
+        QTRY_COMPARE(view.viewport.pointing().hovered(), Id{2}); // what a click takes
+        QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, near.toPoint());
+        QCOMPARE(view.selection.ids(), std::vector{Id{2}});
     }
 
     // What tools and a legend cover stays free of what is fitted, in both kinds of picture.

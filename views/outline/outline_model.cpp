@@ -150,6 +150,8 @@ int OutlineModel::rowCount(const QModelIndex& parent) const
 
 Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const
 {
+    if (!index.isValid()) // views ask for the root too
+        return Qt::NoItemFlags;
     Qt::ItemFlags result = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     const Node n = node(index);
     if (index.column() == Name && n.sort == Node::Sort::Thing && n.kind != Kind::Settings)
@@ -159,6 +161,8 @@ Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const
 
 QVariant OutlineModel::data(const QModelIndex& index, int role) const
 {
+    if (!index.isValid())
+        return {};
     const Node n = node(index);
     const bool isThing = n.sort == Node::Sort::Thing;
     const Column column = Column(index.column());
@@ -196,6 +200,8 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const
 
 bool OutlineModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
+    if (!index.isValid())
+        return false;
     const Node n = node(index);
     const QString name = value.toString().trimmed();
     const Property* property = findProperty(n.kind, Meaning::Name);

@@ -119,6 +119,13 @@ void Stage::setColorBy(ColorBy colorBy)
     m_layersAreOld = true;
 }
 
+void Stage::forgetRanges()
+{
+    m_fixedRanges = {};
+    m_range.reset();
+    m_layersAreOld = true;
+}
+
 void Stage::setFixedRange(std::optional<ValueRange> range)
 {
     m_fixedRanges[std::size_t(m_colorBy)] = range;

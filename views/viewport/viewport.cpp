@@ -39,6 +39,7 @@ void Viewport::Private::sceneReplaced()
 {
     untouched = true;
     wholeScene = false;
+    stage.forgetRanges();
     stage.designChanged();
     chase.forget();
     camera.look(PresetView::Iso);
@@ -195,6 +196,7 @@ ColorBy Viewport::colorBy() const { return d->stage.colorBy(); }
 void Viewport::setColorBy(ColorBy colorBy)
 {
     d->draw([&] { d->stage.setColorBy(colorBy); });
+    emit colorByChanged();
 }
 
 void Viewport::setFixedRange(std::optional<ValueRange> range)

@@ -106,6 +106,7 @@ public:
 
 signals:
     void cameraChanged();
+    void colorByChanged();                // whoever chose it
     void menuWanted(const QPoint& place); // of the screen; for what is selected by then
 
 protected:
