@@ -168,6 +168,18 @@ private slots:
         QVERIFY(std::max(bounds().width() / view.width(), bounds().height() / view.height()) > 0.5);
     }
 
+    void whatADesignIsStandsBeforeItsMesh()
+    {
+        BuilderDialog dialog("delta_kite");
+        dialog.show();
+        const auto placeOf = [&dialog](const char* key) {
+            return dialog.findChild<QWidget*>(key)->y();
+        };
+        for (const char* shape : {"span", "chord", "line_length", "wind"})
+            QVERIFY2(placeOf(shape) < placeOf("segments"), shape);
+        QVERIFY(placeOf("segments") < placeOf("keel"));
+    }
+
     void theBuilderDialogBuildsWhatItSays()
     {
         BuilderDialog dialog("delta_kite");

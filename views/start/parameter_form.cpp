@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include <vector>
+
 namespace ripstop {
 namespace {
 
@@ -20,6 +22,20 @@ QLabel* headingOf(std::string_view words)
     return heading;
 }
 
+// What a design is comes before how finely it is cut up. A group is named by its first parameter.
+std::vector<const Parameter*> inOrderOfInterest(std::span<const Parameter> parameters)
+{
+    std::vector<const Parameter*> ordered, ofMesh;
+    bool isMesh = false;
+    for (const Parameter& parameter : parameters) {
+        if (!parameter.group.empty())
+            isMesh = parameter.group == "Mesh";
+        (isMesh ? ofMesh : ordered).push_back(&parameter);
+    }
+    ordered.insert(ordered.end(), ofMesh.begin(), ofMesh.end());
+    return ordered;
+}
+
 } // namespace
 
 ParameterForm::ParameterForm(std::span<const Parameter> parameters, QWidget* parent)
@@ -28,7 +44,8 @@ ParameterForm::ParameterForm(std::span<const Parameter> parameters, QWidget* par
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 4, 8, 4);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    for (const Parameter& parameter : parameters) {
+    for (const Parameter* one : inOrderOfInterest(parameters)) {
+        const Parameter& parameter = *one;
         if (!parameter.group.empty())
             form->addRow(headingOf(parameter.group));
         auto* field = new ParameterField(parameter, ParameterField::Slider::With);
