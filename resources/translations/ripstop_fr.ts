@@ -9662,11 +9662,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>Broadside</source>
-        <translation>De face</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Builder</source>
         <translation>Générateur</translation>
     </message>
@@ -10844,6 +10839,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Has the panels of the selected parts carry the pull of their fabric, with warp, weft, shear and wrinkles, in place of threads. Lines, spars and hems stay, and the panels keep the cut that the threads had.</source>
         <translation>Fait porter la traction du tissu par les panneaux des pièces sélectionnées, avec chaîne, trame, cisaillement et plis, à la place des fils. Les lignes, les longerons et les ourlets restent, et les panneaux gardent la coupe qu’avaient les fils.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Head-on drag</source>
+        <translation>Traînée de face</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13077,6 +13077,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Solver passes</source>
+        <translation>Passes du solveur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Span</source>
         <translation>Envergure</translation>
     </message>
@@ -13244,11 +13249,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Sweat knit</source>
         <translation>Maille molleton</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Sweeps</source>
-        <translation>Balayages</translation>
     </message>
     <message>
         <location filename="tables"/>
