@@ -1,15 +1,17 @@
-// ripstop-cli study: new, run, status, merge and slurm.
+// ripstop-cli study: run, status, merge, report and slurm; new is in study_new.cpp.
 //
-// run flies the points of its shard that no ledger has (study/study_run.h); merge and status look
-// up the rows of all points.
+// run flies the points of its shard that no ledger has (study/study_run.h); the others look up the
+// rows of all points.
 #include "cli/commands.h"
 #include "cli/scene_input.h"
-#include "cli/sweep_axes.h"
+#include "cli/study_new.h"
 #include "cli/targets.h"
-#include "io/scene_file.h"
+#include "io/json_text.h"
 #include "io/whole_file.h"
-#include "study/point_scene.h"
+#include "study/study_database.h"
+#include "study/study_report.h"
 #include "study/study_run.h"
+#include "study/study_search.h"
 #include "study/study_table.h"
 #include "terminal/terminal.h"
 
@@ -28,6 +30,27 @@ std::string pointsText(std::size_t some, std::size_t all)
     return std::to_string(some) + " of " + std::to_string(all) + " points";
 }
 
+// The best so far, or how many make the front where there are several objectives; empty where
+// nothing is wanted.
+std::string bestText(const OpenedStudy& opened, const StudyFlights& flights)
+{
+    const std::vector<std::string> titles = objectiveTitles(opened);
+    if (titles.empty())
+        return {};
+    const std::vector<std::size_t> best = bestPoints(opened, flights);
+    std::string text = "best so far             ";
+    if (best.empty())
+        return text + "none that fulfils all constraints\n";
+    if (titles.size() > 1)
+        return text + std::to_string(best.size())
+               + " on the Pareto front; study report lists them\n";
+    text +=
+        titles.front() + ": " + shortNumber(flights[best.front()]->measured[opened.wanted.front()]);
+    for (const std::string& one : opened.assignments(best.front()))
+        text += "\n                        " + one;
+    return text + "\n";
+}
+
 int runStudy(const std::string& file, const std::string& shardText, int jobs)
 {
     Shard shard;
@@ -40,24 +63,25 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
                         "--shard " + shardText + ": write K/N, like 3/8 for the third of eight.");
         shard = {place - 1, count};
     }
-    const auto opened = openStudy(file);
+    auto opened = openStudy(file);
     if (!opened)
         return fail(BadInput, opened.message());
+    const bool isOptimised = opened->optimiser.has_value();
+    const double most = double(Optimiser::most(opened->study.plan)); // of an optimisation
     ProgressLine progress("study");
-    const auto flown = flyMissing(*opened, shard, jobs, interrupted,
-                                  [&](std::size_t, const FlightResult&, const StudyFlown& now) {
-                                      progress.show(double(now.tally.flown) / double(now.planned));
-                                  });
+    const auto flown = flyMissing(*opened, shard, jobs, interrupted, [&](const FlightNews& news) {
+        progress.show(isOptimised ? double(news.point) / most
+                                  : double(news.flown.tally.flown) / double(news.flown.planned));
+    });
     if (!flown)
         return fail(BadInput, flown.message());
     const StudyTally& tally = flown->tally;
     if (tally.flown < flown->planned)
         return fail(Interrupted, "Interrupted; " + pointsText(tally.flown, flown->planned)
                                      + " of this run are flown and kept. Run it again to go on.");
-    const bool isWaiting =
-        flown->ofOthers > 0 && opened->study.plan.kind == StudyPlan::Kind::Frontier;
+    const bool isWaiting = flown->ofOthers > 0 && opened->study.plan.isSearch();
     if (isWaiting)
-        std::cerr << "The frontier needs " << flown->ofOthers
+        std::cerr << "The search needs " << flown->ofOthers
                   << " points of other shards next. Run this one again when they are flown.\n";
     if (tally.flown == 0 && !isWaiting)
         std::cerr << "All points are flown already.\n";
@@ -65,26 +89,49 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
         std::cerr << "Flown: " << tally.flown << "; something tore in " << tally.torn << ", "
                   << tally.stopped << " ended early, " << tally.inaccurate
                   << " missed the accuracy.\n";
+    const auto known = readLedgers(ledgerFolder(file));
+    if (!known)
+        return fail(BadInput, known.message());
+    followSearch(*opened, known->rows);
+    std::cerr << bestText(*opened, flightsOf(*opened, known->rows));
     return Done;
 }
 
 // --- status and merge ---------------------------------------------------------------------------
 
+// A point with what is wanted of it.
+nlohmann::json designJson(const OpenedStudy& opened, const StudyFlights& flights, std::size_t point)
+{
+    nlohmann::json set, wanted;
+    const std::vector<std::string> values = opened.points.values(point);
+    for (std::size_t v = 0; v < values.size(); ++v)
+        set[opened.study.variables[v].name] = values[v];
+    const std::vector<std::string> titles = objectiveTitles(opened);
+    for (std::size_t i = 0; i < titles.size(); ++i)
+        wanted[titles[i]] = flights[point]->measured[opened.wanted[i]];
+    return {{"point", point}, {"values", set}, {"objectives", wanted}};
+}
+
 int status(const std::string& file, bool json)
 {
-    const auto opened = openStudy(file);
+    auto opened = openStudy(file);
     if (!opened)
         return fail(BadInput, opened.message());
     const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
+    followSearch(*opened, known->rows);
     const StudyFlights flights = flightsOf(*opened, known->rows);
     const auto [flown, torn, stopped, inaccurate] = tallyOf(flights);
     const std::size_t all = opened->points.count();
     const std::size_t missing = missingPoints(*opened, flights).size();
-    const bool isSearch = opened->study.plan.kind == StudyPlan::Kind::Frontier;
+    const bool isFrontier = opened->study.plan.kind == StudyPlan::Kind::Frontier;
     if (json) {
+        nlohmann::json best = nlohmann::json::array();
+        for (const std::size_t point : bestPoints(*opened, flights))
+            best.push_back(designJson(*opened, flights, point));
         print({{"points", all},
+               {"best", best},
                {"flown", flown},
                {"missing", missing},
                {"torn", torn},
@@ -96,10 +143,13 @@ int status(const std::string& file, bool json)
     }
     std::cout << "points                  " << all << "\nflown                   " << flown
               << "\nmissing                 " << missing
-              << (isSearch && missing > 0 ? " next, along the frontier" : "")
-              << (isSearch && missing == 0 ? ": the frontier is found" : "")
+              << (isFrontier && missing > 0 ? " next, along the frontier" : "")
+              << (isFrontier && missing == 0 ? ": the frontier is found" : "")
+              << (opened->optimiser && missing > 0 ? " next" : "")
+              << (opened->optimiser && missing == 0 ? ": the search is over" : "")
               << "\nsomething tore in       " << torn << "\nended early             " << stopped
-              << "\nmissed the accuracy     " << inaccurate << '\n';
+              << "\nmissed the accuracy     " << inaccurate << '\n'
+              << bestText(*opened, flights);
     if (known->torn > 0)
         std::cout << "lines left out          " << known->torn << ", which a killed run tore\n";
     if (known->differing > 0)
@@ -107,95 +157,61 @@ int status(const std::string& file, bool json)
     return Done;
 }
 
-int merge(const std::string& file, const std::string& output)
+// Makes files of what is known of a study: `write` gets that and says how it ends.
+using WriteKnown = std::function<int(const OpenedStudy&, const StudyFlights&)>;
+int withKnown(const std::string& file, const std::vector<std::string>& targets,
+              const WriteKnown& write)
 {
-    const auto opened = openStudy(file);
+    auto opened = openStudy(file);
     if (!opened)
         return fail(BadInput, opened.message());
-    FileNames inputs =
+    const FileNames inputs =
         inputsOf(opened->scene, opened->sceneFile.string(), {file, opened->controlsFile.string()});
-    if (const int code = refuseTargets({output}, inputs); code != Done)
+    if (const int code = refuseTargets(targets, inputs); code != Done)
         return code;
     const auto known = readLedgers(ledgerFolder(file));
     if (!known)
         return fail(BadInput, known.message());
-    const StudyFlights flights = flightsOf(*opened, known->rows);
-    const std::string table = studyTable(*opened, flights);
+    followSearch(*opened, known->rows);
+    return write(*opened, flightsOf(*opened, known->rows));
+}
+
+// To the file, or to standard output without one.
+int writeText(const std::string& output, const std::string& text)
+{
     if (output.empty())
-        std::cout << table;
-    else if (const auto failure = replaceFile(output, table))
-        return fail(BadInput, failure->message);
-    std::cerr << "The table has " << pointsText(tallyOf(flights).flown, opened->points.count())
-              << ".\n";
-    return Done;
-}
-
-// --- new and slurm ------------------------------------------------------------------------------
-
-struct NewOptions
-{
-    std::string file, scene, plan = "grid";
-    std::vector<std::string> vary; // "PATH+PATH=VALUES"
-    double seconds = 10.0;
-    std::int64_t count = 100;
-    std::uint64_t seed = 1;
-    bool untilTear = false;
-};
-
-// "a.x+b.x=1,2": several paths get the same value.
-Result<StudyVariable> variableOf(const std::string& text)
-{
-    const auto axis = sweepAxis(text);
-    if (!axis)
-        return axis.failure();
-    StudyVariable variable;
-    variable.values = axis->values;
-    for (std::size_t begin = 0; begin <= axis->path.size();) {
-        const std::size_t end = std::min(axis->path.find('+', begin), axis->path.size());
-        variable.paths.push_back(axis->path.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    variable.name = variable.paths.front();
-    return variable;
-}
-
-int newStudy(const NewOptions& options)
-{
-    Study study;
-    const fs::path folder = fs::absolute(options.file).parent_path();
-    study.scene = fs::proximate(fs::absolute(options.scene), folder).generic_string();
-    study.seconds = options.seconds;
-    study.untilTear = options.untilTear;
-    study.folder = folder;
-    const auto kind = std::ranges::find(choiceNames<StudyPlan::Kind>, options.plan);
-    study.plan.kind = StudyPlan::Kind(kind - choiceNames<StudyPlan::Kind>.begin());
-    if (!study.plan.goesThroughValues()) {
-        study.plan.count = options.count;
-        study.plan.seed = options.seed;
-    }
-    for (const std::string& text : options.vary) {
-        auto variable = variableOf(text);
-        if (!variable)
-            return fail(WrongUsage, variable.message());
-        study.variables.push_back(std::move(*variable));
-    }
-    if (const int code = refuseTargets({options.file}, {options.scene}); code != Done)
-        return code;
-    const std::string text = studyText(study);
-    if (const auto again = studyOf(text); !again) // what cannot be read is not written
-        return fail(WrongUsage, "The study " + again.message().english() + ".");
-    const auto scene = readScene(options.scene);
-    if (!scene)
-        return fail(BadInput, scene.message());
-    for (const StudyVariable& variable : study.variables)
-        for (const std::string& path : variable.paths)
-            for (const std::string& value : variable.values)
-                if (const auto failure = checkAssignment(*scene, path + '=' + value))
-                    return fail(WrongUsage, failure->message);
-    if (const auto failure = replaceFile(options.file, text))
+        std::cout << text;
+    else if (const auto failure = replaceFile(output, text))
         return fail(BadInput, failure->message);
     return Done;
 }
+
+int merge(const std::string& file, const std::string& output, const std::string& database)
+{
+    return withKnown(
+        file, {output, database}, [&](const OpenedStudy& opened, const StudyFlights& flights) {
+            if (!database.empty())
+                if (const auto failure = writeStudyDatabase(opened, flights, database))
+                    return fail(BadInput, failure->message);
+            const bool wantsTable = database.empty() || !output.empty();
+            if (wantsTable)
+                if (const int code = writeText(output, studyTable(opened, flights)); code != Done)
+                    return code;
+            std::cerr << "The table has "
+                      << pointsText(tallyOf(flights).flown, opened.points.count()) << ".\n";
+            return int(Done);
+        });
+}
+
+int report(const std::string& file, const std::string& output, bool isHtml)
+{
+    return withKnown(file, {output}, [&](const OpenedStudy& opened, const StudyFlights& flights) {
+        const auto format = isHtml ? ReportFormat::Html : ReportFormat::Markdown;
+        return writeText(output, studyReport(opened, flights, format));
+    });
+}
+
+// --- slurm --------------------------------------------------------------------------------------
 
 // For a shell, whatever is in the name.
 std::string quoted(const fs::path& path)
@@ -253,35 +269,6 @@ void addStudyFile(CLI::App& command, std::string& file)
     command.add_option("STUDY", file, "The study, *.ripstop-study.json")->required();
 }
 
-void addNew(CLI::App& study, Command& chosen)
-{
-    CLI::App* command = study.add_subcommand("new", "Write the file of a study.");
-    const auto options = std::make_shared<NewOptions>();
-    command->add_option("STUDY", options->file, "The file, *.ripstop-study.json")->required();
-    command->add_option("--scene", options->scene, "The scene that is flown")->required();
-    command
-        ->add_option("--vary", options->vary,
-                     "A property and its values, as of sweep; PATH+PATH=VALUES gives several the "
-                     "same value")
-        ->required()
-        ->type_name("PATH=VALUES")
-        ->allow_extra_args(false);
-    std::vector<std::string> kinds;
-    for (const auto& kind : choiceNames<StudyPlan::Kind>)
-        if (kind != choiceNames<StudyPlan::Kind>[std::size_t(StudyPlan::Kind::Points)])
-            kinds.emplace_back(kind);
-    command->add_option("--plan", options->plan, "How the points come from the values")
-        ->check(CLI::IsMember(kinds));
-    command->add_option("--count", options->count, "Points of a plan that draws them")
-        ->check(CLI::Range(std::int64_t(1), std::int64_t(mostStudyPoints)));
-    command->add_option("--seed", options->seed, "Of what is drawn");
-    command->add_option("--seconds", options->seconds, "Simulated time of each flight, s")
-        ->check(numberBetween(0.0, 1e9))
-        ->type_name("T");
-    command->add_flag("--until-tear", options->untilTear, "End a flight with its first tear");
-    command->callback([options, &chosen] { chosen = [options] { return newStudy(*options); }; });
-}
-
 } // namespace
 
 void addStudy(CLI::App& app, Command& chosen)
@@ -290,14 +277,15 @@ void addStudy(CLI::App& app, Command& chosen)
         "study",
         "Fly a design with many values, on all cores or a cluster; what is flown is kept.");
     study->require_subcommand(1);
-    addNew(*study, chosen);
+    addStudyNew(*study, chosen);
 
     struct Options
     {
-        std::string file, shard, output, time = "01:00:00";
+        std::string file, shard, output, database, time = "01:00:00";
         int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
         int tasks = 8;
         bool json = false;
+        bool isHtml = false;
     };
     const auto options = std::make_shared<Options>();
     CLI::App* run = study->add_subcommand("run", "Fly what is missing.");
@@ -322,8 +310,22 @@ void addStudy(CLI::App& app, Command& chosen)
     addStudyFile(*merged, options->file);
     merged->add_option("-o,--output", options->output, "The table, CSV; on standard output without")
         ->type_name("FILE");
+    merged
+        ->add_option("--sqlite", options->database,
+                     "The same as a database of SQLite, with the tables flights and study")
+        ->type_name("FILE");
     merged->callback([options, &chosen] {
-        chosen = [options] { return merge(options->file, options->output); };
+        chosen = [options] { return merge(options->file, options->output, options->database); };
+    });
+
+    CLI::App* reported = study->add_subcommand(
+        "report", "Say what it came to: outcomes, measures, the best, and which variable matters.");
+    addStudyFile(*reported, options->file);
+    reported->add_option("-o,--output", options->output, "The report; on standard output without")
+        ->type_name("FILE");
+    reported->add_flag("--html", options->isHtml, "As a page of HTML instead of Markdown");
+    reported->callback([options, &chosen] {
+        chosen = [options] { return report(options->file, options->output, options->isHtml); };
     });
 
     CLI::App* array =

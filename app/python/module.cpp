@@ -15,6 +15,7 @@
 #include "study/many.h"
 #include "study/study_map.h"
 #include "study/study_run.h"
+#include "study/study_search.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -258,9 +259,10 @@ py::array rollout(const Scene& scene, const std::vector<std::string>& controls,
 // --- studies ------------------------------------------------------------------------------------
 
 // The columns of the table, by their headings; what is not flown is not a number.
-py::dict columnsOf(const OpenedStudy& opened)
+py::dict columnsOf(OpenedStudy& opened)
 {
     const LedgerContent known = orRaise(readLedgers(ledgerFolder(opened.file)));
+    followSearch(opened, known.rows);
     const StudyFlights flights = flightsOf(opened, known.rows);
     py::dict table;
     for (std::size_t v = 0; v < opened.study.variables.size(); ++v) {
@@ -291,7 +293,7 @@ py::dict columnsOf(const OpenedStudy& opened)
 
 std::size_t runStudy(const OpenedStudy& opened, int jobs)
 {
-    const auto nobody = [](std::size_t, const FlightResult&, const StudyFlown&) {};
+    const auto nobody = [](const FlightNews&) {};
     // Ctrl-C, which only a thread with the lock can see
     const auto isInterrupted = [] {
         const py::gil_scoped_acquire lock;

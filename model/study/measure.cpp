@@ -9,8 +9,6 @@
 #include <cmath>
 
 namespace ripstop {
-namespace {
-
 double percentileOf(std::vector<double> values, double percent)
 {
     if (values.empty())
@@ -21,8 +19,6 @@ double percentileOf(std::vector<double> values, double percent)
     const std::size_t above = std::min(below + 1, values.size() - 1);
     return values[below] + (place - double(below)) * (values[above] - values[below]);
 }
-
-} // namespace
 
 std::string headingOf(const Measure& measure, const std::string& unit)
 {

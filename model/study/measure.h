@@ -34,7 +34,12 @@ struct Measure
     double percent = 95.0;                               // of Percentile
     double from = 0.0;                                   // s, values from here
     double to = std::numeric_limits<double>::infinity(); // s, to here count
+
+    bool operator==(const Measure&) const = default;
 };
+
+// The value that `percent` of all lie below, between two of them on a line; not a number of none.
+double percentileOf(std::vector<double> values, double percent);
 
 std::string headingOf(const Measure& measure, const std::string& unit); // "height max (m)"
 

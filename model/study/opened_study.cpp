@@ -4,6 +4,7 @@
 
 #include "io/scene_file.h"
 #include "study/point_scene.h"
+#include "study/study_search.h"
 
 #include <algorithm>
 
@@ -12,7 +13,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of the measures with their units, and the measures where the study names none.
+// The place of a measure in the plan, which gets it where it does not have it.
+std::size_t placeOf(FlightPlan& plan, const Measure& measure)
+{
+    const auto found = std::ranges::find(plan.measures, measure);
+    const auto place = std::size_t(found - plan.measures.begin());
+    if (found == plan.measures.end())
+        plan.measures.push_back(measure);
+    return place;
+}
+
+// Names of the measures with their units; the usual measures where the study names none, and those
+// of its objectives and constraints.
 std::optional<Failure> nameMeasures(OpenedStudy& opened)
 {
     const auto probes = probesOf(opened.scene);
@@ -20,6 +32,12 @@ std::optional<Failure> nameMeasures(OpenedStudy& opened)
         return Failure("%1: %2", opened.sceneFile.string(), probes.message());
     if (opened.plan.measures.empty())
         opened.plan.measures = usualMeasures(*probes);
+    for (const Objective& objective : opened.study.objectives)
+        opened.wanted.push_back(placeOf(opened.plan, objective.measure));
+    for (const Constraint& constraint : opened.study.constraints)
+        opened.constrained.push_back(constraint.kind == Constraint::Kind::Outcome
+                                         ? 0
+                                         : placeOf(opened.plan, constraint.measure));
     for (const Measure& measure : opened.plan.measures) {
         const auto probe = std::ranges::find(*probes, measure.probe, &Layout::Probe::name);
         if (probe == probes->end()) {
@@ -75,7 +93,11 @@ Result<OpenedStudy> openStudy(const fs::path& file)
                        {},
                        file,
                        sceneFile,
+                       {},
+                       {},
+                       {},
                        {}};
+    beginSearch(opened);
     if (!opened.study.controls.empty()) {
         opened.controlsFile = opened.study.folder / opened.study.controls;
         auto track = readControlTrack(opened.controlsFile, opened.scene);

@@ -7,10 +7,12 @@
 #include "scene/scene.h"
 #include "study/flight.h"
 #include "study/ledger.h"
+#include "study/optimiser.h"
 #include "study/plan.h"
 #include "study/study.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,11 @@ struct OpenedStudy
     std::vector<std::string> headings; // [measures]
     std::filesystem::path file;
     std::filesystem::path sceneFile;
-    std::filesystem::path controlsFile; // or empty
+    std::filesystem::path controlsFile;   // or empty
+    std::vector<std::size_t> wanted;      // [objectives] place of its measure in the plan
+    std::vector<std::size_t> constrained; // [constraints] the same; 0 of those without a measure
+    std::optional<Optimiser> optimiser;   // of a plan that optimises (study_search.h)
+    std::size_t told = 0;                 // points whose scores it knows
 
     std::vector<std::string> assignments(std::size_t point) const
     {

@@ -3,10 +3,10 @@
 // there.
 #include "study/plan.h"
 
-#include "base/split_mix.h"
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
+#include "study/random_share.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,16 +16,7 @@ namespace {
 
 using PlanKind = StudyPlan::Kind;
 
-// A number for each point and variable, all of them as good as independent.
-std::uint64_t bitsOf(std::uint64_t seed, std::uint64_t point, std::uint64_t variable)
-{
-    return splitMix(splitMix(splitMix(seed) ^ point) + variable);
-}
-
-double shareOf(std::uint64_t bits) // in the middle of 2^52 cells
-{
-    return (double(bits >> 12) + 0.5) / 4503599627370496.0;
-}
+constexpr double tailLeftOut = 0.001; // of a distribution without ends, by an optimisation
 
 // The numbers below `count` in random order (Fisher and Yates 1938).
 std::vector<std::uint32_t> shuffled(std::size_t count, std::uint64_t seed, std::uint64_t variable)
@@ -33,7 +24,7 @@ std::vector<std::uint32_t> shuffled(std::size_t count, std::uint64_t seed, std::
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0u);
     for (std::size_t i = count; i > 1; --i)
-        std::swap(order[i - 1], order[bitsOf(seed ^ 0x5bf0'3635, i, variable) % i]);
+        std::swap(order[i - 1], order[randomBits(seed ^ 0x5bf0'3635, i, variable) % i]);
     return order;
 }
 
@@ -112,7 +103,12 @@ double countOf(const Study& study)
         else if (study.plan.kind == PlanKind::OneAtATime)
             count += double(variable.values.size()) - 1.0;
     }
-    return study.plan.goesThroughValues() ? count : double(study.plan.count);
+    if (study.plan.kind == PlanKind::Optimise)
+        return 0.0; // they come as it goes
+    const double blocks = double(study.plan.count);
+    if (study.plan.kind == PlanKind::Sensitivity)
+        return blocks * double(sensitivityBlock(study.variables.size()));
+    return study.plan.goesThroughValues() ? count : blocks;
 }
 
 } // namespace
@@ -133,10 +129,14 @@ Result<StudyPoints> StudyPoints::of(const Study& study)
         points.m_rows = std::move(*rows);
         points.m_count = points.m_rows.size();
     }
-    if (study.plan.kind == PlanKind::Sobol && study.variables.size() > sobolDimensions)
+    const std::size_t variables = study.variables.size();
+    if (study.plan.kind == PlanKind::Sobol && variables > sobolDimensions)
         return Failure("A plan of Sobol' has up to %1 variables, and this study %2; take "
                        "latin_hypercube.",
-                       sobolDimensions, study.variables.size());
+                       sobolDimensions, variables);
+    if (study.plan.kind == PlanKind::Sensitivity && 2 * variables > sobolDimensions)
+        return Failure("A plan of sensitivity has up to %1 variables, and this study %2.",
+                       sobolDimensions / 2, variables);
     if (study.plan.kind == PlanKind::LatinHypercube)
         for (std::size_t v = 0; v < study.variables.size(); ++v)
             points.m_strata.push_back(shuffled(points.m_count, study.plan.seed, v));
@@ -145,14 +145,19 @@ Result<StudyPoints> StudyPoints::of(const Study& study)
 
 double StudyPoints::share(std::size_t point, std::size_t variable) const
 {
-    const std::uint64_t bits = bitsOf(m_study.plan.seed, point, variable);
+    const std::uint64_t bits = randomBits(m_study.plan.seed, point, variable);
     switch (m_study.plan.kind) {
     case PlanKind::LatinHypercube:
         return (double(m_strata[variable][point]) + shareOf(bits)) / double(m_count);
-    case PlanKind::Sobol: {
-        const std::uint64_t shift = bitsOf(m_study.plan.seed ^ 0x50b0'1234, 0, variable) >> 32;
-        const std::uint32_t place = sobolPoint(point, variable) ^ std::uint32_t(shift);
-        return (double(place) + 0.5) / 4294967296.0;
+    case PlanKind::Sobol:
+        return shiftedSobolShare(point, variable, m_study.plan.seed);
+    case PlanKind::Sensitivity: { // A, B, then A with one variable of B after the other
+        const std::size_t variables = m_study.variables.size();
+        const std::size_t block = sensitivityBlock(variables);
+        const std::size_t row = point % block;
+        const bool isOfB = row == 1 || row == variable + 2;
+        return shiftedSobolShare(point / block, variable + (isOfB ? variables : 0),
+                                 m_study.plan.seed);
     }
     default:
         return shareOf(bits);
@@ -168,9 +173,23 @@ std::string StudyPoints::drawn(std::size_t variable, double share) const
     return one.values[std::min(std::size_t(share * double(count)), count - 1)];
 }
 
+void StudyPoints::add(const std::vector<double>& shares)
+{
+    std::vector<std::string>& row = m_rows.emplace_back();
+    for (std::size_t v = 0; v < shares.size(); ++v) {
+        const auto& spread = m_study.variables[v].spread;
+        const bool hasNoEnds = spread
+                               && (spread->kind == Distribution::Kind::Normal
+                                   || spread->kind == Distribution::Kind::LogNormal);
+        const double margin = hasNoEnds ? tailLeftOut : 0.0;
+        row.push_back(drawn(v, std::clamp(shares[v], margin, 1.0 - margin)));
+    }
+    m_count = m_rows.size();
+}
+
 std::vector<std::string> StudyPoints::values(std::size_t point) const
 {
-    if (m_study.plan.kind == PlanKind::Points)
+    if (m_study.plan.kind == PlanKind::Points || m_study.plan.kind == PlanKind::Optimise)
         return m_rows[point];
     const std::vector<StudyVariable>& variables = m_study.variables;
     std::vector<std::string> all(variables.size());
@@ -205,6 +224,15 @@ std::size_t gridPoint(const Study& study, const GridPlace& place)
     return point;
 }
 
+double shiftedSobolShare(std::size_t point, std::size_t dimension, std::uint64_t seed)
+{
+    const std::uint64_t shift = randomBits(seed ^ 0x50b0'1234, 0, dimension) >> 32;
+    const std::uint32_t place = sobolPoint(point, dimension) ^ std::uint32_t(shift);
+    return (double(place) + 0.5) / 4294967296.0;
+}
+
+std::size_t sensitivityBlock(std::size_t variables) { return variables + 2; }
+
 // Gray code as of Antonov and Saleev 1979 would need the point before; this needs none.
 std::uint32_t sobolPoint(std::size_t point, std::size_t dimension)
 {
@@ -212,7 +240,7 @@ std::uint32_t sobolPoint(std::size_t point, std::size_t dimension)
     {
         int degree;
         std::uint32_t coefficients;
-        std::uint32_t start[5];
+        std::uint32_t start[7];
     };
     constexpr Direction directions[sobolDimensions - 1]{{1, 0, {1}},
                                                         {2, 1, {1, 3}},
@@ -222,7 +250,17 @@ std::uint32_t sobolPoint(std::size_t point, std::size_t dimension)
                                                         {4, 4, {1, 3, 5, 13}},
                                                         {5, 2, {1, 1, 5, 5, 17}},
                                                         {5, 4, {1, 1, 5, 5, 5}},
-                                                        {5, 7, {1, 1, 7, 11, 19}}};
+                                                        {5, 7, {1, 1, 7, 11, 19}},
+                                                        {5, 11, {1, 1, 5, 1, 1}},
+                                                        {5, 13, {1, 1, 1, 3, 11}},
+                                                        {5, 14, {1, 3, 5, 5, 31}},
+                                                        {6, 1, {1, 3, 3, 9, 7, 49}},
+                                                        {6, 13, {1, 1, 1, 15, 21, 21}},
+                                                        {6, 16, {1, 3, 1, 13, 27, 49}},
+                                                        {6, 19, {1, 1, 1, 15, 7, 5}},
+                                                        {6, 22, {1, 3, 1, 15, 13, 25}},
+                                                        {6, 25, {1, 1, 5, 5, 19, 61}},
+                                                        {7, 1, {1, 3, 7, 11, 23, 15, 103}}};
     std::uint32_t value[32]; // direction numbers
     for (int i = 0; i < 32; ++i) {
         if (dimension == 0) {

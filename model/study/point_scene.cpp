@@ -1,5 +1,5 @@
-// A text that sets a parameter of a builder is taken apart by setParameterOf(); all others are
-// assignments of properties.
+// A text that sets a parameter of a builder is taken apart by setParameterOf(), one that sets a
+// component of a vector by anyAssignment(); all others are assignments of properties.
 #include "study/point_scene.h"
 
 #include "author/rebuild.h"
@@ -69,10 +69,52 @@ Result<SetParameter> setParameterOf(const Scene& scene, const std::string& text)
     return SetParameter{found->part, std::string(key), *value};
 }
 
+// "wind.velocity.x": one number of a property that has three.
+struct Component
+{
+    Place place;
+    int axis;
+};
+
+std::optional<Component> componentOf(const Scene& scene, std::string_view path)
+{
+    constexpr std::string_view axes = "xyz";
+    if (path.size() < 3 || path[path.size() - 2] != '.')
+        return std::nullopt;
+    const std::size_t axis = axes.find(path.back());
+    const auto place = findPlace(scene, path.substr(0, path.size() - 2));
+    if (axis == std::string_view::npos || !place || place->targets.empty())
+        return std::nullopt;
+    const auto ref = find(scene, place->targets.front());
+    if (!ref || !std::holds_alternative<Vec3>(place->property->get(*ref)))
+        return std::nullopt;
+    return Component{*place, int(axis)};
+}
+
+// A property, whole or one component of it.
+Result<Edit> anyAssignment(const Scene& scene, const std::string& text)
+{
+    const std::size_t equals = text.find('=');
+    const auto component = componentOf(scene, std::string_view(text).substr(0, equals));
+    if (!component || equals == std::string::npos)
+        return assignment(scene, text);
+    const auto& [property, targets] = component->place;
+    const Typed typed = typedValue(std::string_view(text).substr(equals + 1), property->unit);
+    if (!typed.number)
+        return Failure("a component of %1 %2", Message::word(property->label), typed.complaint);
+    SetValues set{property, targets, {}};
+    for (const Id id : targets)
+        set.values.push_back(
+            changed(property->get(*find(scene, id)), *typed.number, component->axis));
+    return Edit{Message("Set %1", Message::word(property->label)), {std::move(set)}};
+}
+
 } // namespace
 
 std::string unitOf(const Scene& scene, const std::string& path)
 {
+    if (const auto component = componentOf(scene, path))
+        return std::string(component->place.property->unit);
     if (setsParameter(path)) {
         const auto found = parameterOf(scene, path);
         return found ? std::string(found->parameter->unit) : std::string();
@@ -89,7 +131,7 @@ std::optional<Failure> checkAssignment(const Scene& scene, const std::string& te
         const auto parameter = setParameterOf(scene, text);
         return parameter ? std::nullopt : std::optional(parameter.failure());
     }
-    const auto edit = assignment(scene, text);
+    const auto edit = anyAssignment(scene, text);
     return edit ? std::nullopt : std::optional(edit.failure());
 }
 
@@ -116,7 +158,7 @@ Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assi
     for (const std::string& text : assignments) {
         if (setsParameter(text))
             continue;
-        const auto edit = assignment(made, text);
+        const auto edit = anyAssignment(made, text);
         if (!edit)
             return Failure("%1: %2", text, edit.message());
         (void)apply(made, *edit);

@@ -1,6 +1,7 @@
 // The scene of one point of a study: a design with other values.
 //
 //     line.axialStiffness=6000      a property (scene/path.h)
+//     wind.velocity.x=7             one number of a property that has three
 //     kite.built.span=2.8           a parameter of the builder of the part "kite"
 //
 // Parts are built again first (author/rebuild.h), all of their parameters at once, and properties

@@ -1,13 +1,11 @@
-// readStudy() puts the name of the file before what studyOf() says. studyOf() reads the fields one
-// after the other through Fields, which knows where it is ("variables[2].from") and refuses what
-// nobody reads, so that a misspelt field is no silent default. studyText() writes what studyOf()
-// reads. nlohmann's exceptions never begin: everything is asked for before it is taken.
+// readStudy() puts the name of the file before what studyOf() says, which reads the fields one
+// after the other (study_fields.h). studyText() writes what studyOf() reads.
 #include "study/study.h"
 
 #include "io/json_text.h"
 #include "io/whole_file.h"
-
-#include <nlohmann/json.hpp>
+#include "study/polish.h"
+#include "study/study_fields.h"
 
 #include <charconv>
 #include <cmath>
@@ -16,7 +14,8 @@
 namespace ripstop {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = StudyJson;
+using Fields = StudyFields;
 
 constexpr const char* formatName = "ripstop-study";
 constexpr int formatVersion = 1;
@@ -29,120 +28,6 @@ std::string rounded(double number)
     return {text,
             std::to_chars(text, text + sizeof text, number, std::chars_format::general, 12).ptr};
 }
-
-// The fields of an object, and the first thing that is wrong with them.
-class Fields
-{
-public:
-    Fields(const Json& object, std::string place, std::optional<Failure>& failure)
-        : m_object(object)
-        , m_place(std::move(place))
-        , m_failure(failure)
-    {
-        if (!object.is_object())
-            say(Message("has %1, which is no object in braces", where({})));
-    }
-
-    bool has(const char* key) const { return m_object.is_object() && m_object.contains(key); }
-
-    std::string text(const char* key, bool isNeeded = false)
-    {
-        const Json* field = find(key, isNeeded);
-        if (field && !field->is_string())
-            say(Message("has %1, which is no text in quotation marks", where(key)));
-        return field && field->is_string() ? field->get<std::string>() : std::string();
-    }
-
-    double number(const char* key, double usual, double least, double most)
-    {
-        const Json* field = find(key, std::isnan(usual));
-        if (!field)
-            return usual;
-        const double value = field->is_number() ? field->get<double>() : std::nan("");
-        if (!(value >= least && value <= most)) {
-            say(Message("has %1, which is no number from %2 to %3", where(key),
-                        Message::number("%.6g", least), Message::number("%.6g", most)));
-            return usual;
-        }
-        return value;
-    }
-
-    bool flag(const char* key)
-    {
-        const Json* field = find(key, false);
-        if (field && !field->is_boolean())
-            say(Message("has %1, which is neither true nor false", where(key)));
-        return field && field->is_boolean() && field->get<bool>();
-    }
-
-    template <typename Choice>
-    Choice choice(const char* key, Choice usual)
-    {
-        const std::string name = text(key);
-        if (name.empty())
-            return usual;
-        std::string all;
-        for (std::size_t i = 0; i < choiceNames<Choice>.size(); ++i) {
-            if (name == choiceNames<Choice>[i])
-                return Choice(i);
-            all += (i ? ", " : "") + std::string(choiceNames<Choice>[i]);
-        }
-        say(Message("has %1 = \"%2\"; it is one of %3", where(key), name, all));
-        return usual;
-    }
-
-    // Calls visit(element, place) for each of an array; nothing where there is none.
-    template <typename Visit>
-    void each(const char* key, bool isNeeded, Visit visit)
-    {
-        const Json* field = find(key, isNeeded);
-        if (field && !field->is_array()) {
-            say(Message("has %1, which is no list in brackets", where(key)));
-            return;
-        }
-        for (std::size_t i = 0; field && i < field->size(); ++i)
-            visit((*field)[i], where(key) + '[' + std::to_string(i) + ']');
-    }
-
-    // After all that is read has been read. It is said before that a field is missing, which it may
-    // have been meant to be.
-    void refuseOthers()
-    {
-        if (m_object.is_object())
-            for (const auto& field : m_object.items())
-                if (!m_read.contains(field.key()))
-                    m_failure =
-                        Failure("has %1, which means nothing to this version", where(field.key()));
-    }
-
-    std::string where(const std::string& key) const
-    {
-        return m_place.empty() ? key : key.empty() ? m_place : m_place + '.' + key;
-    }
-
-    void say(Message message)
-    {
-        if (!m_failure)
-            m_failure = Failure(std::move(message));
-    }
-
-    // The field, or null; says so where it is needed.
-    const Json* find(const char* key, bool isNeeded)
-    {
-        m_read.insert(key);
-        if (has(key))
-            return &m_object[key];
-        if (isNeeded)
-            say(Message("has no %1", where(key)));
-        return nullptr;
-    }
-
-private:
-    const Json& m_object;
-    std::string m_place;
-    std::optional<Failure>& m_failure;
-    std::set<std::string> m_read;
-};
 
 // What --set takes: a text, or a number as it is.
 std::string valueText(const Json& value)
@@ -159,7 +44,7 @@ void readRange(Fields& fields, StudyVariable& variable)
 {
     const double from = fields.number("from", std::nan(""), -1e300, 1e300);
     const double to = fields.number("to", std::nan(""), -1e300, 1e300);
-    const int count = int(fields.number("count", 0.0, 2.0, mostOfRange));
+    const int count = int(fields.number("count", 0.0, 2.0, mostOfRange)); // without it, no values
     const std::string scale = fields.text("scale");
     const bool isLog = scale == "log";
     if (!scale.empty() && !isLog && scale != "linear")
@@ -240,11 +125,22 @@ StudyPlan readPlan(const Json& json, std::optional<Failure>& failure)
     StudyPlan plan;
     plan.kind = fields.choice("kind", StudyPlan::Kind::Grid);
     using Kind = StudyPlan::Kind;
-    const bool draws = plan.kind == Kind::LatinHypercube || plan.kind == Kind::Sobol
-                       || plan.kind == Kind::MonteCarlo;
-    if (draws) {
-        plan.count = std::int64_t(fields.number("count", std::nan(""), 1.0, mostStudyPoints));
+    const auto whole = [&](const char* key, double usual, double least, double most) {
+        return std::int64_t(fields.number(key, usual, least, most));
+    };
+    if (plan.draws())
+        plan.count = whole("count", std::nan(""), 1.0, mostStudyPoints);
+    if (plan.draws() || plan.kind == Kind::Optimise)
         plan.seed = std::uint64_t(fields.number("seed", 1.0, 0.0, 9007199254740992.0));
+    if (plan.kind == Kind::Optimise) {
+        plan.method = fields.choice("method", plan.method);
+        plan.population = whole("population", double(plan.population), 2.0, 1e4);
+        plan.generations = whole("generations", double(plan.generations), 1.0, 1e4);
+        plan.polish = whole("polish", 0.0, 0.0, 1e4);
+        if (plan.polish > 0 && !Polish::isThere())
+            fields.say(Message("has %1, and this Ripstop was built without NLopt, which polishes; "
+                               "leave it out",
+                               fields.where("polish")));
     }
     if (plan.kind == Kind::Points)
         plan.file = fields.text("file", true);
@@ -252,9 +148,9 @@ StudyPlan readPlan(const Json& json, std::optional<Failure>& failure)
     return plan;
 }
 
-Measure readMeasure(const Json& json, const std::string& place, std::optional<Failure>& failure)
+// "probe", "reduction" and what belongs to them.
+Measure measureIn(Fields& fields)
 {
-    Fields fields(json, place, failure);
     Measure measure;
     measure.probe = fields.text("probe", true);
     measure.reduction = fields.choice("reduction", Reduction::Last);
@@ -262,8 +158,58 @@ Measure readMeasure(const Json& json, const std::string& place, std::optional<Fa
         measure.percent = fields.number("percent", measure.percent, 0.0, 100.0);
     measure.from = fields.number("from", 0.0, 0.0, 1e9);
     measure.to = fields.number("to", measure.to, 0.0, measure.to);
+    return measure;
+}
+
+Measure readMeasure(const Json& json, const std::string& place, std::optional<Failure>& failure)
+{
+    Fields fields(json, place, failure);
+    const Measure measure = measureIn(fields);
     fields.refuseOthers();
     return measure;
+}
+
+Objective readObjective(const Json& json, const std::string& place, std::optional<Failure>& failure)
+{
+    Fields fields(json, place, failure);
+    Objective objective;
+    objective.measure = measureIn(fields);
+    objective.goal = fields.choice("goal", Goal::Minimise);
+    if (objective.goal == Goal::Target)
+        objective.target = fields.number("target", std::nan(""), -1e300, 1e300);
+    fields.refuseOthers();
+    return objective;
+}
+
+// A measure with "atMost" or "atLeast", or an "outcome".
+Constraint readConstraint(const Json& json, const std::string& place,
+                          std::optional<Failure>& failure)
+{
+    Fields fields(json, place, failure);
+    Constraint constraint;
+    if (fields.has("outcome")) {
+        constraint.outcome = fields.choice("outcome", WantedOutcome::NoTear);
+    } else {
+        const bool isMost = fields.has("atMost");
+        constraint.kind = isMost ? Constraint::Kind::AtMost : Constraint::Kind::AtLeast;
+        constraint.measure = measureIn(fields);
+        constraint.limit =
+            fields.number(isMost ? "atMost" : "atLeast", std::nan(""), -1e300, 1e300);
+    }
+    fields.refuseOthers();
+    return constraint;
+}
+
+// An optimisation needs something to look for, and a method that can.
+void checkGoals(const Study& study, std::optional<Failure>& failure)
+{
+    if (failure || study.plan.kind != StudyPlan::Kind::Optimise)
+        return;
+    const bool isSwarm = study.plan.method == StudyPlan::Method::ParticleSwarm;
+    if (study.objectives.empty())
+        failure = Failure("has a plan that optimises, and no objectives; say what is wanted");
+    else if (study.objectives.size() > 1 && (isSwarm || study.plan.polish > 0))
+        failure = Failure("has several objectives, which the method nsga2 is for, without polish");
 }
 
 // A grid needs values, and what draws needs something to draw from.
@@ -304,11 +250,14 @@ Json distributionJson(const Distribution& spread)
 Json variableJson(const StudyVariable& variable)
 {
     Json json{{"name", variable.name}, {"paths", variable.paths}};
-    const bool isRange = variable.spread && !variable.values.empty();
+    const bool isRange =
+        variable.spread
+        && (!variable.values.empty() || variable.spread->kind == Distribution::Kind::Log);
     if (isRange) {
         json["from"] = variable.spread->a;
         json["to"] = variable.spread->b;
-        json["count"] = variable.values.size();
+        if (!variable.values.empty())
+            json["count"] = variable.values.size();
         if (variable.spread->kind == Distribution::Kind::Log)
             json["scale"] = "log";
     } else if (variable.spread) {
@@ -316,6 +265,56 @@ Json variableJson(const StudyVariable& variable)
     } else {
         json["values"] = variable.values;
     }
+    return json;
+}
+
+Json planJson(const StudyPlan& plan)
+{
+    Json json{{"kind", choiceNames<StudyPlan::Kind>[std::size_t(plan.kind)]}};
+    if (plan.kind == StudyPlan::Kind::Optimise) {
+        json["method"] = choiceNames<StudyPlan::Method>[std::size_t(plan.method)];
+        json["population"] = plan.population;
+        json["generations"] = plan.generations;
+        if (plan.polish > 0)
+            json["polish"] = plan.polish;
+        json["seed"] = plan.seed;
+    } else if (plan.count > 0) {
+        json["count"] = plan.count;
+        json["seed"] = plan.seed;
+    }
+    if (!plan.file.empty())
+        json["file"] = plan.file;
+    return json;
+}
+
+Json measureJson(const Measure& measure)
+{
+    Json json{{"probe", measure.probe},
+              {"reduction", choiceNames<Reduction>[std::size_t(measure.reduction)]}};
+    if (measure.reduction == Reduction::Percentile)
+        json["percent"] = measure.percent;
+    if (measure.from > 0.0)
+        json["from"] = measure.from;
+    if (std::isfinite(measure.to))
+        json["to"] = measure.to;
+    return json;
+}
+
+Json objectiveJson(const Objective& objective)
+{
+    Json json = measureJson(objective.measure);
+    json["goal"] = choiceNames<Goal>[std::size_t(objective.goal)];
+    if (objective.goal == Goal::Target)
+        json["target"] = objective.target;
+    return json;
+}
+
+Json constraintJson(const Constraint& constraint)
+{
+    if (constraint.kind == Constraint::Kind::Outcome)
+        return {{"outcome", choiceNames<WantedOutcome>[std::size_t(constraint.outcome)]}};
+    Json json = measureJson(constraint.measure);
+    json[constraint.kind == Constraint::Kind::AtMost ? "atMost" : "atLeast"] = constraint.limit;
     return json;
 }
 
@@ -364,8 +363,15 @@ Result<Study> studyOf(const std::string& text)
     fields.each("measures", false, [&](const Json& measure, const std::string& place) {
         study.measures.push_back(readMeasure(measure, place, failure));
     });
+    fields.each("objectives", false, [&](const Json& objective, const std::string& place) {
+        study.objectives.push_back(readObjective(objective, place, failure));
+    });
+    fields.each("constraints", false, [&](const Json& constraint, const std::string& place) {
+        study.constraints.push_back(readConstraint(constraint, place, failure));
+    });
     fields.refuseOthers();
     checkVariables(study, failure);
+    checkGoals(study, failure);
     if (failure)
         return *failure;
     return study;
@@ -397,25 +403,13 @@ std::string studyText(const Study& study)
         json["untilTear"] = true;
     for (const StudyVariable& variable : study.variables)
         json["variables"].push_back(variableJson(variable));
-    Json plan{{"kind", choiceNames<StudyPlan::Kind>[std::size_t(study.plan.kind)]}};
-    if (study.plan.count > 0) {
-        plan["count"] = study.plan.count;
-        plan["seed"] = study.plan.seed;
-    }
-    if (!study.plan.file.empty())
-        plan["file"] = study.plan.file;
-    json["plan"] = plan;
-    for (const Measure& measure : study.measures) {
-        Json one{{"probe", measure.probe},
-                 {"reduction", choiceNames<Reduction>[std::size_t(measure.reduction)]}};
-        if (measure.reduction == Reduction::Percentile)
-            one["percent"] = measure.percent;
-        if (measure.from > 0.0)
-            one["from"] = measure.from;
-        if (std::isfinite(measure.to))
-            one["to"] = measure.to;
-        json["measures"].push_back(one);
-    }
+    json["plan"] = planJson(study.plan);
+    for (const Measure& measure : study.measures)
+        json["measures"].push_back(measureJson(measure));
+    for (const Objective& objective : study.objectives)
+        json["objectives"].push_back(objectiveJson(objective));
+    for (const Constraint& constraint : study.constraints)
+        json["constraints"].push_back(constraintJson(constraint));
     return json.dump(2) + '\n';
 }
 

@@ -9,6 +9,7 @@
 #include "base/choice_names.h"
 #include "base/result.h"
 #include "study/distribution.h"
+#include "study/goal.h"
 #include "study/measure.h"
 
 #include <array>
@@ -44,20 +45,38 @@ struct StudyPlan
         Sobol,          // the first `count` points of Sobol' (1967), shifted by the seed
         MonteCarlo,     // `count` points at random
         Points,         // the rows of a file of somebody else's
-        Frontier        // those of a grid that tell where outcomes change (frontier_search.h)
+        Frontier,       // those of a grid that tell where outcomes change (frontier_search.h)
+        Optimise,       // those that lead to the best (optimiser.h)
+        Sensitivity     // `count` blocks of points that tell which variable matters (sensitivity.h)
     };
+    enum class Method { ParticleSwarm, Nsga2 };
+
     Kind kind = Kind::Grid;
     std::int64_t count = 0;
     std::uint64_t seed = 1;
-    std::string file; // CSV with a column for each variable, beside the study
+    std::string file;                      // CSV with a column for each variable, beside the study
+    Method method = Method::ParticleSwarm; // of an optimisation, as what follows
+    std::int64_t population = 16;          // points of a generation, which are flown at once
+    std::int64_t generations = 20;
+    std::int64_t polish = 0; // flights of the last stage, one after the other
 
+    bool draws() const // `count` points from distributions
+    {
+        return kind == Kind::LatinHypercube || kind == Kind::Sobol || kind == Kind::MonteCarlo
+               || kind == Kind::Sensitivity;
+    }
+    bool isSearch() const { return kind == Kind::Frontier || kind == Kind::Optimise; }
     bool isGrid() const { return kind == Kind::Grid || kind == Kind::Frontier; }
     bool goesThroughValues() const { return isGrid() || kind == Kind::OneAtATime; }
 };
 
 template <>
 inline constexpr std::array choiceNames<StudyPlan::Kind>{
-    "grid", "one_at_a_time", "latin_hypercube", "sobol", "monte_carlo", "points", "frontier"};
+    "grid",   "one_at_a_time", "latin_hypercube", "sobol",      "monte_carlo",
+    "points", "frontier",      "optimise",        "sensitivity"};
+
+template <>
+inline constexpr std::array choiceNames<StudyPlan::Method>{"particle_swarm", "nsga2"};
 
 struct Study
 {
@@ -69,7 +88,9 @@ struct Study
     double seconds = 0.0;          // s, of each flight
     bool untilTear = false;        // a flight ends with its first tear
     std::vector<Measure> measures; // empty: last, mean, least and largest value of each probe
-    std::filesystem::path folder;  // where the files are that it names
+    std::vector<Objective> objectives;
+    std::vector<Constraint> constraints;
+    std::filesystem::path folder; // where the files are that it names
 };
 
 inline constexpr std::string_view studyEnding = ".ripstop-study.json";

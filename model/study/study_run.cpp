@@ -1,10 +1,11 @@
 // flyMissing() reads what is known, and each of its threads takes the next point and adds a row
-// under a lock as soon as a flight is over; a search along the frontier goes round again.
+// under a lock as soon as a flight is over; a search goes round again.
 #include "study/study_run.h"
 
 #include "recording/recorder.h"
 #include "study/frontier_search.h"
 #include "study/many.h"
+#include "study/study_search.h"
 
 #include <cmath>
 #include <mutex>
@@ -95,17 +96,17 @@ StudyTally tallyOf(const StudyFlights& flights)
     return tally;
 }
 
-Result<StudyFlown> flyMissing(
-    const OpenedStudy& opened, const Shard& shard, int jobs,
-    const std::function<bool()>& isInterrupted,
-    const std::function<void(std::size_t point, const FlightResult&, const StudyFlown&)>& told)
+Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int jobs,
+                              const std::function<bool()>& isInterrupted, const ToldOfFlight& told)
 {
     StudyFlown flown;
+    OpenedStudy opened = study;   // its points may become more
     std::optional<Ledger> ledger; // opened once there is something to write
     for (;;) {
         const auto known = readLedgers(ledgerFolder(opened.file));
         if (!known)
             return known.failure();
+        followSearch(opened, known->rows);
         std::vector<std::size_t> points = missingPoints(opened, flightsOf(opened, known->rows));
         const std::size_t all = points.size();
         std::erase_if(points, [&](std::size_t i) { return i % shard.count != shard.place; });
@@ -131,13 +132,12 @@ Result<StudyFlown> flyMissing(
             if (failure)
                 return false;
             flown.tally.add(*flight);
-            told(points[i], *flight, flown);
+            told({points[i], key, *flight, flown});
             return true;
         });
         if (failure)
             return *failure;
-        const bool mayNeedMore = opened.study.plan.kind == StudyPlan::Kind::Frontier;
-        if (!mayNeedMore || flown.tally.flown < flown.planned)
+        if (!opened.study.plan.isSearch() || flown.tally.flown < flown.planned)
             return flown;
     }
 }

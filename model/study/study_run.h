@@ -67,12 +67,20 @@ struct StudyFlown
     std::size_t ofOthers = 0; // points that other shards have to fly before it can go on
 };
 
+// A flight of it that is over, and in the ledger.
+struct FlightNews
+{
+    std::size_t point;
+    const std::string& key; // of its row
+    const FlightResult& flight;
+    const StudyFlown& flown; // with this one
+};
+using ToldOfFlight = std::function<void(const FlightNews&)>;
+
 // Flies what is missing of the shard, round after round where a plan finds out what it needs.
 // `told` hears of each flight once it is in the ledger, from the thread that flew it, one at a
 // time. Fails when a ledger cannot be read or written.
-Result<StudyFlown> flyMissing(
-    const OpenedStudy& opened, const Shard& shard, int jobs,
-    const std::function<bool()>& isInterrupted,
-    const std::function<void(std::size_t point, const FlightResult&, const StudyFlown&)>& told);
+Result<StudyFlown> flyMissing(const OpenedStudy& opened, const Shard& shard, int jobs,
+                              const std::function<bool()>& isInterrupted, const ToldOfFlight& told);
 
 } // namespace ripstop

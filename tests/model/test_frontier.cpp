@@ -182,8 +182,7 @@ private slots:
             const auto opened = studyOfPlan(plan);
             QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
             const auto flown = flyMissing(
-                *opened, {}, 2, [] { return false; },
-                [](std::size_t, const FlightResult&, const StudyFlown&) {});
+                *opened, {}, 2, [] { return false; }, [](const FlightNews&) {});
             QVERIFY(flown);
             QCOMPARE(flown->tally.flown, flown->planned);
             flights = flown->tally.flown;
@@ -208,7 +207,7 @@ private slots:
         write(file, massStudy);
         const auto opened = openStudy(file.toStdString());
         QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
-        const auto nobody = [](std::size_t, const FlightResult&, const StudyFlown&) {};
+        const auto nobody = [](const FlightNews&) {};
         const auto first = flyMissing(
             *opened, {0, 3}, 1, [] { return false; }, nobody);
         // of the places 0, 4, 8, 12 and 16 the first and the fourth are of the first of three

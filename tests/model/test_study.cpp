@@ -184,7 +184,12 @@ private slots:
         };
         QVERIFY(same(choiceNames<StudyPlan::Kind>,
                      choices(top["properties"]["plan"]["properties"]["kind"])));
-        QVERIFY(same(choiceNames<Reduction>, choices(fieldsOfList("measures")["reduction"])));
+        for (const char* list : {"measures", "objectives", "constraints"})
+            QVERIFY(same(choiceNames<Reduction>, choices(fieldsOfList(list)["reduction"])));
+        QVERIFY(same(choiceNames<StudyPlan::Method>,
+                     choices(top["properties"]["plan"]["properties"]["method"])));
+        QVERIFY(same(choiceNames<Goal>, choices(fieldsOfList("objectives")["goal"])));
+        QVERIFY(same(choiceNames<WantedOutcome>, choices(fieldsOfList("constraints")["outcome"])));
 
         Study study = studyWith({StudyPlan::Kind::Sobol, 4, 2, "f"}, {{"v", {"a"}, {"1"}, {}}});
         study.title = study.controls = "x";
@@ -194,16 +199,25 @@ private slots:
         for (const Kind kind : {Kind::Uniform, Kind::Normal, Kind::LogNormal, Kind::Triangular})
             study.variables.push_back(drawn("d", {kind, 1.0, 3.0, 2.0}));
         study.variables.push_back({"r", {"a"}, {"1", "2"}, Distribution{Kind::Log, 1.0, 2.0}});
+        study.objectives = {{study.measures.front(), Goal::Target, 2.0}};
+        study.constraints = {{Constraint::Kind::AtMost, study.measures.front(), 1.0, {}},
+                             {Constraint::Kind::AtLeast, study.measures.front(), 1.0, {}},
+                             {Constraint::Kind::Outcome, {}, 0.0, WantedOutcome::Accurate}};
         const QJsonObject written =
+            QJsonDocument::fromJson(QByteArray::fromStdString(studyText(study))).object();
+        study.plan.kind = StudyPlan::Kind::Optimise;
+        study.plan.polish = 10;
+        const QJsonObject optimised =
             QJsonDocument::fromJson(QByteArray::fromStdString(studyText(study))).object();
         const auto isKnown = [](const QJsonObject& object, const QJsonObject& fields) {
             return std::ranges::all_of(object.keys(),
                                        [&](const QString& key) { return fields.contains(key); });
         };
         QVERIFY(isKnown(written, top["properties"].toObject()));
-        QVERIFY(isKnown(written["plan"].toObject(),
-                        top["properties"]["plan"]["properties"].toObject()));
-        for (const char* list : {"variables", "measures"})
+        for (const QJsonObject& one : {written, optimised})
+            QVERIFY(isKnown(one["plan"].toObject(),
+                            top["properties"]["plan"]["properties"].toObject()));
+        for (const char* list : {"variables", "measures", "objectives", "constraints"})
             for (const QJsonValue& one : written[list].toArray())
                 QVERIFY2(isKnown(one.toObject(), fieldsOfList(list)), list);
     }
@@ -227,6 +241,16 @@ private slots:
                               << "plan.kind";
         QTest::newRow("count") << R"("seconds": 1, "variables": [], "plan": {"kind": "sobol"})"
                                << "plan.count";
+        QTest::newRow("nothing wanted")
+            << R"("seconds": 1, "variables": [], "plan": {"kind": "optimise"})"
+            << "objectives";
+        QTest::newRow("a swarm for two")
+            << R"("seconds": 1, "variables": [], "plan": {"kind": "optimise"},
+                  "objectives": [{"probe": "a"}, {"probe": "b"}])"
+            << "nsga2";
+        QTest::newRow("no limit")
+            << R"("seconds": 1, "variables": [], "constraints": [{"probe": "a"}])"
+            << "constraints[0].atLeast";
         QTest::newRow("text") << R"("seconds": "ten")"
                               << "seconds";
     }

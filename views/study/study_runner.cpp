@@ -3,6 +3,8 @@
 // joined before another starts, and what it has posted is dropped by its number.
 #include "study/study_runner.h"
 
+#include "study/study_search.h"
+
 #include <limits>
 #include <utility>
 
@@ -70,7 +72,7 @@ void StudyRunner::open(const std::filesystem::path& file)
     begin(Task::Opening, [this, file]() -> std::function<void()> {
         struct Found
         {
-            std::shared_ptr<const OpenedStudy> study;
+            std::shared_ptr<OpenedStudy> study;
             LedgerContent content;
             StudyFlights flights;
         };
@@ -82,8 +84,9 @@ void StudyRunner::open(const std::filesystem::path& file)
         if (!content)
             return fail(content.message());
         const auto found = std::make_shared<Found>();
-        found->study = std::make_shared<const OpenedStudy>(std::move(*study));
+        found->study = std::make_shared<OpenedStudy>(std::move(*study));
         found->content = std::move(*content);
+        followSearch(*found->study, found->content.rows);
         found->flights = flightsOf(*found->study, found->content.rows);
         return [this, found] {
             m_study = found->study;
@@ -98,20 +101,19 @@ void StudyRunner::fly(int jobs)
 {
     if (!m_study)
         return;
-    const auto study = m_study;
+    const auto study = std::make_shared<const OpenedStudy>(*m_study); // its points stay
     begin(Task::Flying, [this, study, jobs]() -> std::function<void()> {
         const auto isStopped = [this] { return m_stops.load(); };
-        const auto tell = [this](std::size_t point, const FlightResult& flight,
-                                 const StudyFlown& so) {
+        const auto tell = [this](const FlightNews& news) {
             const std::lock_guard lock(m_mutex);
-            m_news.push_back({point, flight});
-            m_newPlan = so.planned;
+            m_news.push_back({news.point, news.key, news.flight});
+            m_newPlan = news.flown.planned;
         };
         const auto flown = flyMissing(*study, {}, jobs, isStopped, tell);
         if (!flown)
             return [this, why = flown.message()] { emit failed(why); };
-        return [this, study] {
-            m_flights = flightsOf(*study, m_rows); // points that are alike were flown once
+        return [this] {
+            m_flights = flightsOf(*m_study, m_rows); // points that are alike were flown once
             emit grew();
         };
     });
@@ -132,8 +134,13 @@ void StudyRunner::collect()
     if (news.empty())
         return;
     for (Flown& one : news) {
-        const auto [row, isNew] = m_rows.emplace(m_study->key(one.point), std::move(one.flight));
-        m_flights[one.point] = &row->second;
+        const auto [row, isNew] = m_rows.emplace(one.key, std::move(one.flight));
+        if (one.point < m_flights.size())
+            m_flights[one.point] = &row->second;
+    }
+    if (m_study->optimiser) { // there are more points than before
+        followSearch(*m_study, m_rows);
+        m_flights = flightsOf(*m_study, m_rows);
     }
     m_done += news.size();
     emit grew();
@@ -143,7 +150,7 @@ void StudyRunner::watch(std::size_t point)
 {
     if (!m_study)
         return;
-    const auto study = m_study;
+    const auto study = std::make_shared<const OpenedStudy>(*m_study);
     const std::string known = m_flights[point] ? m_flights[point]->hash : std::string();
     begin(Task::Watching, [this, study, point, known]() -> std::function<void()> {
         const auto flown = flyRecorded(*study, point, [this] { return m_stops.load(); });

@@ -57,6 +57,7 @@ private:
     struct Flown
     {
         std::size_t point;
+        std::string key;
         FlightResult flight;
     };
 
@@ -64,7 +65,7 @@ private:
     void begin(Task task, Work work);
     void collect();
 
-    std::shared_ptr<const OpenedStudy> m_study;
+    std::shared_ptr<OpenedStudy> m_study; // the points of an optimisation become more
     LedgerRows m_rows;
     StudyFlights m_flights;
     Task m_task = Task::None;
