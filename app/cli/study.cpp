@@ -51,7 +51,34 @@ std::string bestText(const OpenedStudy& opened, const StudyFlights& flights)
     return text + "\n";
 }
 
-int runStudy(const std::string& file, const std::string& shardText, int jobs)
+// What is flown of a design that was edited since flights of the study were flown.
+enum class EditedDesign { Refuse, AsItIs, AsItWas };
+
+Result<OpenedStudy> openWith(const std::string& file, EditedDesign edited)
+{
+    auto opened = openStudy(file);
+    if (!opened || edited == EditedDesign::AsItIs)
+        return opened;
+    const auto known = readLedgers(ledgerFolder(file));
+    if (!known)
+        return known.failure();
+    const std::vector<std::string>& designs = known->designs;
+    if (designs.empty() || std::ranges::find(designs, opened->keys.design()) != designs.end())
+        return opened;
+    const std::string scene = opened->sceneFile.string();
+    if (edited == EditedDesign::Refuse)
+        return Failure("%1 was edited since this study was flown. With --anew it is flown anew as "
+                       "it is now, with --keep the study goes on with the design as it was.",
+                       scene);
+    auto before = openStudy(file, keptDesign(ledgerFolder(file), designs.back()));
+    if (before && before->keys.design() != designs.back())
+        return Failure("%1 was edited since this study was flown, and so were the files that it "
+                       "names; it cannot be flown as it was.",
+                       scene);
+    return before;
+}
+
+int runStudy(const std::string& file, const std::string& shardText, int jobs, EditedDesign edited)
 {
     Shard shard;
     if (!shardText.empty()) {
@@ -63,7 +90,7 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs)
                         "--shard " + shardText + ": write K/N, like 3/8 for the third of eight.");
         shard = {place - 1, count};
     }
-    auto opened = openStudy(file);
+    auto opened = openWith(file, edited);
     if (!opened)
         return fail(BadInput, opened.message());
     const bool isOptimised = opened->optimiser.has_value();
@@ -112,9 +139,9 @@ nlohmann::json designJson(const OpenedStudy& opened, const StudyFlights& flights
     return {{"point", point}, {"values", set}, {"objectives", wanted}};
 }
 
-int status(const std::string& file, bool json)
+int status(const std::string& file, bool json, EditedDesign edited)
 {
-    auto opened = openStudy(file);
+    auto opened = openWith(file, edited);
     if (!opened)
         return fail(BadInput, opened.message());
     const auto known = readLedgers(ledgerFolder(file));
@@ -159,10 +186,10 @@ int status(const std::string& file, bool json)
 
 // Makes files of what is known of a study: `write` gets that and says how it ends.
 using WriteKnown = std::function<int(const OpenedStudy&, const StudyFlights&)>;
-int withKnown(const std::string& file, const std::vector<std::string>& targets,
+int withKnown(const std::string& file, EditedDesign edited, const std::vector<std::string>& targets,
               const WriteKnown& write)
 {
-    auto opened = openStudy(file);
+    auto opened = openWith(file, edited);
     if (!opened)
         return fail(BadInput, opened.message());
     const FileNames inputs =
@@ -186,10 +213,12 @@ int writeText(const std::string& output, const std::string& text)
     return Done;
 }
 
-int merge(const std::string& file, const std::string& output, const std::string& database)
+int merge(const std::string& file, EditedDesign edited, const std::string& output,
+          const std::string& database)
 {
     return withKnown(
-        file, {output, database}, [&](const OpenedStudy& opened, const StudyFlights& flights) {
+        file, edited, {output, database},
+        [&](const OpenedStudy& opened, const StudyFlights& flights) {
             if (!database.empty())
                 if (const auto failure = writeStudyDatabase(opened, flights, database))
                     return fail(BadInput, failure->message);
@@ -203,12 +232,13 @@ int merge(const std::string& file, const std::string& output, const std::string&
         });
 }
 
-int report(const std::string& file, const std::string& output, bool isHtml)
+int report(const std::string& file, EditedDesign edited, const std::string& output, bool isHtml)
 {
-    return withKnown(file, {output}, [&](const OpenedStudy& opened, const StudyFlights& flights) {
-        const auto format = isHtml ? ReportFormat::Html : ReportFormat::Markdown;
-        return writeText(output, studyReport(opened, flights, format));
-    });
+    return withKnown(file, edited, {output},
+                     [&](const OpenedStudy& opened, const StudyFlights& flights) {
+                         const auto format = isHtml ? ReportFormat::Html : ReportFormat::Markdown;
+                         return writeText(output, studyReport(opened, flights, format));
+                     });
 }
 
 // --- slurm --------------------------------------------------------------------------------------
@@ -286,8 +316,18 @@ void addStudy(CLI::App& app, Command& chosen)
         int tasks = 8;
         bool json = false;
         bool isHtml = false;
+        bool keeps = false;
+        bool isAnew = false;
+
+        // What is told is of the design as it is, unless that of before is asked for.
+        EditedDesign told() const { return keeps ? EditedDesign::AsItWas : EditedDesign::AsItIs; }
+        EditedDesign flown() const { return !keeps && !isAnew ? EditedDesign::Refuse : told(); }
     };
     const auto options = std::make_shared<Options>();
+    const auto addKeep = [&](CLI::App& command) {
+        return command.add_flag("--keep", options->keeps,
+                                "Of a design that was edited since: as it was when it was flown");
+    };
     CLI::App* run = study->add_subcommand("run", "Fly what is missing.");
     addStudyFile(*run, options->file);
     run->add_option("--jobs", options->jobs, "Flights at a time; all cores without")
@@ -295,15 +335,21 @@ void addStudy(CLI::App& app, Command& chosen)
         ->type_name("N");
     run->add_option("--shard", options->shard, "Only the K-th of N shares of the points")
         ->type_name("K/N");
+    run->add_flag("--anew", options->isAnew,
+                  "A design that was edited since: all points of it anew")
+        ->excludes(addKeep(*run));
     run->callback([options, &chosen] {
-        chosen = [options] { return runStudy(options->file, options->shard, options->jobs); };
+        chosen = [options] {
+            return runStudy(options->file, options->shard, options->jobs, options->flown());
+        };
     });
 
     CLI::App* told = study->add_subcommand("status", "Say how far it is.");
     addStudyFile(*told, options->file);
     told->add_flag("--json", options->json, "As a JSON object");
+    addKeep(*told);
     told->callback([options, &chosen] {
-        chosen = [options] { return status(options->file, options->json); };
+        chosen = [options] { return status(options->file, options->json, options->told()); };
     });
 
     CLI::App* merged = study->add_subcommand("merge", "Write one table of what all shards flew.");
@@ -314,8 +360,11 @@ void addStudy(CLI::App& app, Command& chosen)
         ->add_option("--sqlite", options->database,
                      "The same as a database of SQLite, with the tables flights and study")
         ->type_name("FILE");
+    addKeep(*merged);
     merged->callback([options, &chosen] {
-        chosen = [options] { return merge(options->file, options->output, options->database); };
+        chosen = [options] {
+            return merge(options->file, options->told(), options->output, options->database);
+        };
     });
 
     CLI::App* reported = study->add_subcommand(
@@ -324,8 +373,11 @@ void addStudy(CLI::App& app, Command& chosen)
     reported->add_option("-o,--output", options->output, "The report; on standard output without")
         ->type_name("FILE");
     reported->add_flag("--html", options->isHtml, "As a page of HTML instead of Markdown");
+    addKeep(*reported);
     reported->callback([options, &chosen] {
-        chosen = [options] { return report(options->file, options->output, options->isHtml); };
+        chosen = [options] {
+            return report(options->file, options->told(), options->output, options->isHtml);
+        };
     });
 
     CLI::App* array =

@@ -95,8 +95,12 @@ void takeLine(std::string_view line, LedgerContent& content)
     if (line.empty())
         return;
     const Json json = Json::parse(line, nullptr, false);
-    if (json.is_object() && json.contains("measures"))
-        return; // a heading, for people
+    if (json.is_object() && json.contains("measures")) { // a heading, for people
+        const auto design = json.find("design");
+        if (design != json.end() && design->is_string())
+            content.designs.push_back(design->get<std::string>());
+        return;
+    }
     auto row = json.is_object() ? rowOf(json) : std::nullopt;
     if (!row) {
         ++content.torn;
@@ -120,7 +124,8 @@ Result<FlightKeys> FlightKeys::of(const Scene& scene, const fs::path& controls,
     std::string common;
     append(common, RIPSTOP_VERSION);
     append(common, "accuracy"); // rows of before did not say whether it was held
-    append(common, sceneText(scene));
+    std::string design = sceneText(scene);
+    append(common, design);
     for (const Entry& entry : scene.items)
         if (const auto* collider = std::get_if<Collider>(&entry.item);
             collider && !collider->file.empty()) {
@@ -128,6 +133,7 @@ Result<FlightKeys> FlightKeys::of(const Scene& scene, const fs::path& controls,
             if (!content)
                 return content.failure();
             append(common, *content);
+            append(design, *content);
         }
     if (!controls.empty()) {
         const auto content = wholeContent(controls);
@@ -142,6 +148,7 @@ Result<FlightKeys> FlightKeys::of(const Scene& scene, const fs::path& controls,
         append(common, headingOf(measure, {}));
     FlightKeys keys;
     keys.m_common = hashText(checksum(common));
+    keys.m_design = hashText(checksum(design));
     return keys;
 }
 
@@ -159,6 +166,19 @@ fs::path ledgerFolder(const fs::path& study)
     if (name.ends_with(studyEnding))
         name.resize(name.size() - studyEnding.size());
     return study.parent_path() / (name + ".ripstop-runs");
+}
+
+Result<std::string> hashOfFile(const fs::path& file)
+{
+    const auto content = wholeContent(file);
+    if (!content)
+        return content.failure();
+    return hashText(checksum(*content));
+}
+
+fs::path keptDesign(const fs::path& folder, const std::string& hash)
+{
+    return folder / ("design-" + hash + ".ripstop.json");
 }
 
 Result<LedgerContent> readLedgers(const fs::path& folder)
@@ -201,7 +221,7 @@ Ledger::~Ledger()
 }
 
 Result<Ledger> Ledger::open(const fs::path& folder, const std::string& shard,
-                            const std::vector<std::string>& headings)
+                            const std::vector<std::string>& headings, const std::string& design)
 {
     std::error_code error;
     fs::create_directories(folder, error);
@@ -210,7 +230,8 @@ Result<Ledger> Ledger::open(const fs::path& folder, const std::string& shard,
     if (descriptor < 0)
         return cannotWrite(file);
     Ledger ledger(file, descriptor);
-    std::string heading = "\n{\"program\":\"Ripstop " RIPSTOP_VERSION "\",\"measures\":["; // ends
+    std::string heading = "\n{\"program\":\"Ripstop " RIPSTOP_VERSION "\",\"design\":\"" + design
+                          + "\",\"measures\":[";        // ends
     for (std::size_t i = 0; i < headings.size(); ++i) { // what a killed process began
         heading += i ? "," : "";
         appendQuoted(heading, headings[i]);

@@ -32,19 +32,28 @@ public:
     //   assignments  "PATH=VALUE", in their order
     std::string of(const std::vector<std::string>& assignments) const;
 
+    const std::string& design() const { return m_design; } // hash of scene and files alone
+
 private:
     std::string m_common;
+    std::string m_design;
 };
+
+Result<std::string> hashOfFile(const std::filesystem::path& file); // of its content
 
 using LedgerRows = std::map<std::string, FlightResult>; // by key
 
 std::filesystem::path ledgerFolder(const std::filesystem::path& study);
 
+// The design that was flown, as it was then, by its hash: what is wanted when it was edited since.
+std::filesystem::path keptDesign(const std::filesystem::path& folder, const std::string& hash);
+
 // All rows of all shards. Rows of one key are the same; the first is taken.
 struct LedgerContent
 {
     LedgerRows rows;
-    std::size_t torn = 0;      // lines that are no whole rows
+    std::size_t torn = 0;             // lines that are no whole rows
+    std::vector<std::string> designs; // hashes of those that were flown, in their order
     std::size_t differing = 0; // rows whose flight came to another hash than the first of their key
 };
 Result<LedgerContent> readLedgers(const std::filesystem::path& folder);
@@ -56,7 +65,7 @@ public:
     // Makes the folder when there is none. Two processes may write one file: each line is one
     // write.
     static Result<Ledger> open(const std::filesystem::path& folder, const std::string& shard,
-                               const std::vector<std::string>& headings);
+                               const std::vector<std::string>& headings, const std::string& design);
     Ledger(Ledger&& other) noexcept;
     Ledger& operator=(Ledger&&) = delete;
     ~Ledger();

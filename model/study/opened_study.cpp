@@ -52,6 +52,37 @@ std::optional<Failure> nameMeasures(OpenedStudy& opened)
     return std::nullopt;
 }
 
+// The files of variables that set controls.
+std::optional<Failure> readTracks(OpenedStudy& opened)
+{
+    for (std::size_t v = 0; v < opened.study.variables.size(); ++v) {
+        const StudyVariable& variable = opened.study.variables[v];
+        if (std::ranges::find(variable.paths, controlsPath) == variable.paths.end())
+            continue;
+        if (variable.spread)
+            return Failure(
+                "%1: the variable %2 sets controls, which are files; give it \"values\".",
+                opened.file.string(), variable.name);
+        std::vector<std::string> names = variable.values;
+        if (opened.study.plan.kind == StudyPlan::Kind::Points)
+            for (std::size_t i = 0; i < opened.points.count(); ++i)
+                names.push_back(opened.points.values(i)[v]);
+        for (const std::string& name : names) {
+            if (opened.tracks.contains(name))
+                continue;
+            const fs::path place = opened.study.folder / name;
+            auto track = readControlTrack(place, opened.scene);
+            if (!track)
+                return track.failure();
+            const auto hash = hashOfFile(place);
+            if (!hash)
+                return hash.failure();
+            opened.tracks.emplace(name, StudyTrack{std::move(*track), *hash});
+        }
+    }
+    return std::nullopt;
+}
+
 // Whether what the plan sets can be set: each value of each variable, or those of the first point
 // where values are drawn.
 std::optional<Failure> checkAssignments(const OpenedStudy& opened)
@@ -72,15 +103,34 @@ std::optional<Failure> checkAssignments(const OpenedStudy& opened)
 
 } // namespace
 
-Result<OpenedStudy> openStudy(const fs::path& file)
+std::string OpenedStudy::key(std::size_t point) const
+{
+    std::vector<std::string> all = assignments(point);
+    for (std::string& one : all)
+        if (setsControls(one)) // what counts is what stands in the file
+            one = std::string(controlsPath) + '=' + tracks.at(one.substr(one.find('=') + 1)).hash;
+    return keys.of(all);
+}
+
+const ControlTrack& OpenedStudy::controlsOf(std::size_t point) const
+{
+    if (!tracks.empty())
+        for (const std::string& one : assignments(point))
+            if (setsControls(one))
+                return tracks.at(one.substr(one.find('=') + 1)).controls;
+    return controls;
+}
+
+Result<OpenedStudy> openStudy(const fs::path& file, const std::optional<fs::path>& design)
 {
     auto study = readStudy(file);
     if (!study)
         return study.failure();
     const fs::path sceneFile = study->folder / study->scene;
-    auto scene = readScene(sceneFile);
+    auto scene = readScene(design ? *design : sceneFile);
     if (!scene)
         return scene.failure();
+    scene->folder.path = sceneFile.parent_path(); // where the files are that it names
     auto points = StudyPoints::of(*study);
     if (!points)
         return Failure("%1: %2", file.string(), points.message());
@@ -96,6 +146,7 @@ Result<OpenedStudy> openStudy(const fs::path& file)
                        {},
                        {},
                        {},
+                       {},
                        {}};
     beginSearch(opened);
     if (!opened.study.controls.empty()) {
@@ -105,6 +156,8 @@ Result<OpenedStudy> openStudy(const fs::path& file)
             return track.failure();
         opened.controls = std::move(*track);
     }
+    if (auto failure = readTracks(opened))
+        return *failure;
     opened.plan.seconds = opened.study.seconds;
     opened.plan.untilTear = opened.study.untilTear;
     opened.plan.measures = opened.study.measures;

@@ -12,11 +12,19 @@
 #include "study/study.h"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ripstop {
+
+// A control track that a variable sets, with the hash of its file.
+struct StudyTrack
+{
+    ControlTrack controls;
+    std::string hash;
+};
 
 struct OpenedStudy
 {
@@ -29,8 +37,9 @@ struct OpenedStudy
     std::vector<std::string> headings; // [measures]
     std::filesystem::path file;
     std::filesystem::path sceneFile;
-    std::filesystem::path controlsFile;   // or empty
-    std::vector<std::size_t> wanted;      // [objectives] place of its measure in the plan
+    std::filesystem::path controlsFile;       // or empty
+    std::map<std::string, StudyTrack> tracks; // by the file that a variable names
+    std::vector<std::size_t> wanted;          // [objectives] place of its measure in the plan
     std::vector<std::size_t> constrained; // [constraints] the same; 0 of those without a measure
     std::optional<Optimiser> optimiser;   // of a plan that optimises (study_search.h)
     std::size_t told = 0;                 // points whose scores it knows
@@ -45,12 +54,15 @@ struct OpenedStudy
         return all;
     }
 
-    std::string key(std::size_t point) const { return keys.of(assignments(point)); }
+    std::string key(std::size_t point) const;
+    const ControlTrack& controlsOf(std::size_t point) const;
 };
 
 // Refuses with a sentence what cannot be: files that cannot be read, properties, values and probes
 // that are not there. Nothing is flown.
-Result<OpenedStudy> openStudy(const std::filesystem::path& file);
+//   design  in place of the scene that the study names: that of before (ledger.h)
+Result<OpenedStudy> openStudy(const std::filesystem::path& file,
+                              const std::optional<std::filesystem::path>& design = std::nullopt);
 
 // The scene of a point. Fails when a value cannot be set.
 Result<Scene> sceneOf(const OpenedStudy& opened, std::size_t point);

@@ -1,5 +1,5 @@
 // A text that sets a parameter of a builder is taken apart by setParameterOf(), one that sets a
-// component of a vector by anyAssignment(); all others are assignments of properties.
+// component of a vector by propertyAssignment(); all others are assignments of properties.
 #include "study/point_scene.h"
 
 #include "author/rebuild.h"
@@ -91,8 +91,14 @@ std::optional<Component> componentOf(const Scene& scene, std::string_view path)
     return Component{*place, int(axis)};
 }
 
-// A property, whole or one component of it.
-Result<Edit> anyAssignment(const Scene& scene, const std::string& text)
+} // namespace
+
+bool setsControls(const std::string& assignment)
+{
+    return std::string_view(assignment).substr(0, assignment.find('=')) == controlsPath;
+}
+
+Result<Edit> propertyAssignment(const Scene& scene, const std::string& text)
 {
     const std::size_t equals = text.find('=');
     const auto component = componentOf(scene, std::string_view(text).substr(0, equals));
@@ -108,8 +114,6 @@ Result<Edit> anyAssignment(const Scene& scene, const std::string& text)
             changed(property->get(*find(scene, id)), *typed.number, component->axis));
     return Edit{Message("Set %1", Message::word(property->label)), {std::move(set)}};
 }
-
-} // namespace
 
 std::string unitOf(const Scene& scene, const std::string& path)
 {
@@ -127,11 +131,13 @@ std::string unitOf(const Scene& scene, const std::string& path)
 
 std::optional<Failure> checkAssignment(const Scene& scene, const std::string& text)
 {
+    if (setsControls(text))
+        return std::nullopt;
     if (setsParameter(text)) {
         const auto parameter = setParameterOf(scene, text);
         return parameter ? std::nullopt : std::optional(parameter.failure());
     }
-    const auto edit = anyAssignment(scene, text);
+    const auto edit = propertyAssignment(scene, text);
     return edit ? std::nullopt : std::optional(edit.failure());
 }
 
@@ -156,9 +162,9 @@ Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assi
         (void)apply(made, again->edit);
     }
     for (const std::string& text : assignments) {
-        if (setsParameter(text))
+        if (setsParameter(text) || setsControls(text))
             continue;
-        const auto edit = anyAssignment(made, text);
+        const auto edit = propertyAssignment(made, text);
         if (!edit)
             return Failure("%1: %2", text, edit.message());
         (void)apply(made, *edit);

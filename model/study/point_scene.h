@@ -3,18 +3,26 @@
 //     line.axialStiffness=6000      a property (scene/path.h)
 //     wind.velocity.x=7             one number of a property that has three
 //     kite.built.span=2.8           a parameter of the builder of the part "kite"
+//     controls=launch.csv           no property: the control track that is flown (opened_study.h)
 //
 // Parts are built again first (author/rebuild.h), all of their parameters at once, and properties
 // are set in what comes of that, in their order.
 #pragma once
 
 #include "base/result.h"
-#include "scene/scene.h"
+#include "scene/edit.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ripstop {
+
+inline constexpr std::string_view controlsPath = "controls";
+bool setsControls(const std::string& assignment);
+
+// Sets a property, or one number of it. Those of builders and controls are no such edit.
+Result<Edit> propertyAssignment(const Scene& scene, const std::string& assignment);
 
 // Fails with a sentence that names the text which cannot be.
 Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assignments);

@@ -2,6 +2,8 @@
 // under a lock as soon as a flight is over; a search goes round again.
 #include "study/study_run.h"
 
+#include "io/scene_file.h"
+#include "io/whole_file.h"
 #include "recording/recorder.h"
 #include "study/frontier_search.h"
 #include "study/many.h"
@@ -26,7 +28,17 @@ std::optional<FlightResult> flyWith(const OpenedStudy& opened, std::size_t point
     }
     FlightPlan plan = opened.plan;
     plan.isInterrupted = isInterrupted;
-    return fly(*scene, opened.controls, plan, recorder);
+    return fly(*scene, opened.controlsOf(point), plan, recorder);
+}
+
+// Beside the ledgers, once.
+std::optional<Failure> keepDesign(const OpenedStudy& opened)
+{
+    const auto file = keptDesign(ledgerFolder(opened.file), opened.keys.design());
+    std::error_code error;
+    if (std::filesystem::exists(file, error))
+        return std::nullopt;
+    return replaceFile(file, sceneText(opened.scene), Flush::Later);
 }
 
 } // namespace
@@ -115,10 +127,13 @@ Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int 
         if (points.empty())
             return flown;
         if (!ledger) {
-            auto one = Ledger::open(ledgerFolder(opened.file), shard.name(), opened.headings);
+            auto one = Ledger::open(ledgerFolder(opened.file), shard.name(), opened.headings,
+                                    opened.keys.design());
             if (!one)
                 return one.failure();
             ledger.emplace(std::move(*one));
+            if (const auto failure = keepDesign(opened))
+                return *failure;
         }
         std::optional<Failure> failure;
         std::mutex mutex;

@@ -305,14 +305,14 @@ private slots:
         flight.inaccurate = "missed";
         flight.measured = {1.0 / 3.0, std::nan("")};
         {
-            auto ledger = Ledger::open(runs, "shard-1-of-2", {"a", "b"});
+            auto ledger = Ledger::open(runs, "shard-1-of-2", {"a", "b"}, "design");
             QVERIFY(ledger);
             QVERIFY(!ledger->add("k1", flight));
             QVERIFY(!ledger->add("k1", flight));
         }
         std::ofstream(runs / "shard-1-of-2.jsonl", std::ios::app) << R"({"key":"k2","time":0.)";
         {
-            auto ledger = Ledger::open(runs, "shard-1-of-2", {"a", "b"});
+            auto ledger = Ledger::open(runs, "shard-1-of-2", {"a", "b"}, "design");
             flight.hash = "0000000000000100";
             QVERIFY(!ledger->add("k3", flight));
             QVERIFY(!ledger->add("k1", flight)); // another hash: somebody should know

@@ -68,7 +68,7 @@ private slots:
         for (const char* shard : {"3/3", "1/3", "2/3"})
             QCOMPARE(parts.run({"--shard", shard, "--jobs", "1"}).exitCode, 0);
         QCOMPARE(parts.table(), m_table);
-        QCOMPARE(QDir(parts.file("s.ripstop-runs")).entryList(QDir::Files).size(), 3);
+        QCOMPARE(QDir(parts.file("s.ripstop-runs")).entryList({"*.jsonl"}, QDir::Files).size(), 3);
     }
 
     // Killed again and again, it comes to the same table, and has flown none twice.
@@ -107,6 +107,70 @@ private slots:
         QVERIFY(grown.run().error.contains("Flown: 2"));
         QCOMPARE(grown.table(), m_table);
         QVERIFY(grown.run().error.contains("flown already"));
+    }
+
+    // A design that was edited: nothing is flown until it is said of which.
+    void editedDesignsAreAskedAbout()
+    {
+        QTemporaryDir folder;
+        const QString design = folder.filePath("a.ripstop.json");
+        const QString study = folder.filePath("s.ripstop-study.json");
+        QFile::copy(scene("pendulum"), design);
+        const Outcome made = call({"study", "new", study, "--scene", design, "--vary",
+                                   "settings.substeps=4,8,16", "--seconds", "1"});
+        QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+        QCOMPARE(call({"study", "run", study, "--shard", "1/2"}).exitCode, 0);
+        QFile file(design);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray before = file.readAll();
+        file.close();
+        const auto edit = [&](const QByteArray& text) {
+            if (!file.open(QIODevice::WriteOnly) || file.write(text) < 0)
+                qFatal("the design cannot be written");
+            file.close();
+        };
+        QByteArray after = before;
+        after.replace("\"settings\": {", "\"settings\": {\n    \"gravity\": [0, -5, 0],");
+        QVERIFY(after != before);
+        edit(after);
+        const Outcome asked = call({"study", "run", study});
+        QVERIFY2(asked.exitCode != 0 && asked.error.contains("--anew")
+                     && asked.error.contains("--keep"),
+                 qPrintable(asked.error));
+        const Outcome kept = call({"study", "run", study, "--keep"});
+        QVERIFY2(kept.error.contains("Flown: 1;"), qPrintable(kept.error));
+        const QByteArray table = call({"study", "merge", study, "--keep"}).out;
+        const Outcome anew = call({"study", "run", study, "--anew"});
+        QVERIFY2(anew.error.contains("Flown: 3;"), qPrintable(anew.error));
+        QVERIFY(call({"study", "merge", study}).out != table);
+        QCOMPARE(call({"study", "run", study}).exitCode, 0); // now it is known
+        edit(before);
+        QCOMPARE(call({"study", "merge", study}).out, table);
+    }
+
+    // A control track is a value like others, and what counts is what stands in the file.
+    void controlTracksVary()
+    {
+        QTemporaryDir folder;
+        const QString study = folder.filePath("s.ripstop-study.json");
+        const auto track = [&](const char* name, const char* text) {
+            QFile file(folder.filePath(name));
+            if (!file.open(QIODevice::WriteOnly) || file.write(text) < 0)
+                qFatal("the track cannot be written");
+        };
+        track("still.csv", "time (s),control,value (m)\n");
+        track("pulled.csv", "time (s),control,value (m)\n0.1,corner x,0.05\n");
+        const Outcome made = call({"study", "new", study, "--scene", scene("cloth"), "--vary",
+                                   "controls=still.csv,pulled.csv", "--seconds", "0.5"});
+        QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+        const Outcome run = call({"study", "run", study});
+        QVERIFY2(run.error.contains("Flown: 2;"), qPrintable(run.error));
+        const QList<QByteArray> rows = call({"study", "merge", study}).out.split('\n');
+        QVERIFY(rows[2].split(',')[4] != rows[3].split(',')[4]); // hashes
+        track("pulled.csv", "time (s),control,value (m)\n0.2,corner x,0.05\n");
+        QCOMPARE(call({"study", "status", study, "--json"}).json()["missing"].toInt(), 1);
+        QFile::remove(folder.filePath("still.csv"));
+        QVERIFY(call({"study", "run", study}).error.contains("still.csv"));
     }
 
     // The paper's kite has a fixed solver that holds no accuracy; with the automatic one it does.
