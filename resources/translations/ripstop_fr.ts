@@ -2824,6 +2824,126 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Il n’y a à cet instant ni tissu ni ligne dont faire un maillage.</translation>
     </message>
     <message>
+        <location filename="goal_chart.cpp"/>
+        <source>alone</source>
+        <translation>seule</translation>
+    </message>
+    <message>
+        <location filename="goal_chart.cpp"/>
+        <source>flight</source>
+        <translation>vol</translation>
+    </message>
+    <message>
+        <location filename="goal_chart.cpp"/>
+        <source>share of the variance</source>
+        <translation>part de la variance</translation>
+    </message>
+    <message>
+        <location filename="goal_chart.cpp"/>
+        <source>with its interactions</source>
+        <translation>avec ses interactions</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>&amp;Want something…</source>
+        <translation>&amp;Ajouter un objectif…</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>Another measure that is wanted small, large or at a value; with two the best are a front.</source>
+        <translation>Une autre mesure que l’on veut petite, grande ou à une valeur donnée ; avec deux, les meilleurs forment un front.</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>Largest</source>
+        <translation>Le plus grand</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>Nearest to</source>
+        <translation>Le plus proche de</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>Nothing may tear</source>
+        <translation>Rien ne doit se déchirer</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>Smallest</source>
+        <translation>Le plus petit</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>The accuracy is held</source>
+        <translation>La précision est tenue</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>The value that is wanted</source>
+        <translation>La valeur voulue</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>Want this no more</source>
+        <translation>Retirer cet objectif</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>What is wanted</source>
+        <translation>Ce qui est voulu</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>What of its values</source>
+        <translation>Ce que l’on prend de ses valeurs</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>at the end</source>
+        <translation>à la fin</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>largest</source>
+        <translation>maximum</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>least</source>
+        <translation>minimum</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>percentile</source>
+        <translation>percentile</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>root mean square</source>
+        <translation>moyenne quadratique</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>slope</source>
+        <translation>pente</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>time of the largest</source>
+        <translation>instant du maximum</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>time of the least</source>
+        <translation>instant du minimum</translation>
+    </message>
+    <message>
         <location filename="grab_tool.cpp"/>
         <source>%1, all that the time step allows</source>
         <translation>%1, tout ce que le pas de temps permet</translation>
@@ -5085,6 +5205,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>%1 mesure la sonde %2, et la scène a : %3.</translation>
     </message>
     <message>
+        <location filename="opened_study.cpp"/>
+        <source>%1: the variable %2 sets controls, which are files; give it "values".</source>
+        <translation>%1 : la variable %2 fixe des commandes, qui sont des fichiers ; donnez-lui des &quot;values&quot;.</translation>
+    </message>
+    <message>
         <location filename="operation.cpp"/>
         <source>All that is selected lies on the plane and is its own mirror image. Choose another plane or a smaller tolerance.</source>
         <translation>Toute la sélection est sur le plan et est sa propre image. Choisir un autre plan ou une tolérance plus petite.</translation>
@@ -5755,6 +5880,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plan.cpp"/>
+        <source>A plan of sensitivity has up to %1 variables, and this study %2.</source>
+        <translation>Un plan de sensibilité a au plus %1 variables, et cette étude en a %2.</translation>
+    </message>
+    <message>
+        <location filename="plan.cpp"/>
         <source>The plan has %1 points; a study has up to %2.</source>
         <translation>Le plan a %1 points ; une étude en a jusqu’à %2.</translation>
     </message>
@@ -6027,6 +6157,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="ply_file.cpp"/>
         <source>its header cannot be understood</source>
         <translation>son en-tête n’est pas compréhensible</translation>
+    </message>
+    <message>
+        <location filename="point_scene.cpp"/>
+        <source>a component of %1 %2</source>
+        <translation>une composante de %1 %2</translation>
     </message>
     <message>
         <location filename="point_scene.cpp"/>
@@ -8433,8 +8568,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study.cpp"/>
-        <source>has %1 = "%2"; it is one of %3</source>
-        <translation>a %1 = « %2 » ; c’est l’un de %3</translation>
+        <source>has %1, and this Ripstop was built without NLopt, which polishes; leave it out</source>
+        <translation>contient %1, et ce Ripstop a été compilé sans NLopt, qui fait l’affinage ; retirez-le</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
@@ -8448,36 +8583,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study.cpp"/>
-        <source>has %1, which is neither true nor false</source>
-        <translation>a %1, qui n’est ni true ni false</translation>
-    </message>
-    <message>
-        <location filename="study.cpp"/>
-        <source>has %1, which is no list in brackets</source>
-        <translation>a %1, qui n’est pas une liste entre crochets</translation>
-    </message>
-    <message>
-        <location filename="study.cpp"/>
-        <source>has %1, which is no number from %2 to %3</source>
-        <translation>a %1, qui n’est pas un nombre de %2 à %3</translation>
-    </message>
-    <message>
-        <location filename="study.cpp"/>
-        <source>has %1, which is no object in braces</source>
-        <translation>a %1, qui n’est pas un objet entre accolades</translation>
-    </message>
-    <message>
-        <location filename="study.cpp"/>
-        <source>has %1, which is no text in quotation marks</source>
-        <translation>a %1, qui n’est pas un texte entre guillemets</translation>
-    </message>
-    <message>
-        <location filename="study.cpp"/>
-        <source>has %1, which means nothing to this version</source>
-        <translation>a %1, qui ne dit rien à cette version</translation>
-    </message>
-    <message>
-        <location filename="study.cpp"/>
         <source>has %1, whose low, mode and high do not rise</source>
         <translation>a %1, dont low, mode et high ne montent pas</translation>
     </message>
@@ -8488,8 +8593,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study.cpp"/>
-        <source>has no %1</source>
-        <translation>n’a pas de %1</translation>
+        <source>has a plan that optimises, and no objectives; say what is wanted</source>
+        <translation>a un plan qui optimise, et aucun objectif (objectives) ; dites ce qui est voulu</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>has several objectives, which the method nsga2 is for, without polish</source>
+        <translation>a plusieurs objectifs, pour lesquels il y a la méthode nsga2, sans polish</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
@@ -8505,6 +8615,56 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study.cpp"/>
         <source>was written by another version of Ripstop; use that</source>
         <translation>a été écrit par une autre version de Ripstop ; utiliser celle-ci</translation>
+    </message>
+    <message>
+        <location filename="study_database.cpp"/>
+        <source>%1 is not written: this Ripstop was built without SQLite.</source>
+        <translation>%1 n’est pas écrit : ce Ripstop a été compilé sans SQLite.</translation>
+    </message>
+    <message>
+        <location filename="study_database.cpp"/>
+        <source>%1 is there and is no database of SQLite; it is left as it is.</source>
+        <translation>%1 existe et n’est pas une base de données SQLite ; il est laissé tel quel.</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has %1 = "%2"; it is one of %3</source>
+        <translation>a %1 = « %2 » ; c’est l’un de %3</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has %1, which is neither true nor false</source>
+        <translation>a %1, qui n’est ni true ni false</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has %1, which is no list in brackets</source>
+        <translation>a %1, qui n’est pas une liste entre crochets</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has %1, which is no number from %2 to %3</source>
+        <translation>a %1, qui n’est pas un nombre de %2 à %3</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has %1, which is no object in braces</source>
+        <translation>a %1, qui n’est pas un objet entre accolades</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has %1, which is no text in quotation marks</source>
+        <translation>a %1, qui n’est pas un texte entre guillemets</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has %1, which means nothing to this version</source>
+        <translation>a %1, qui ne dit rien à cette version</translation>
+    </message>
+    <message>
+        <location filename="study_fields.h"/>
+        <source>has no %1</source>
+        <translation>n’a pas de %1</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -8535,6 +8695,26 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_form.cpp"/>
         <source>Every combination</source>
         <translation>Toutes les combinaisons</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Flights of a generation, at once</source>
+        <translation>Vols d’une génération, menés à la fois</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Flights of the last stage, one after the other, from the best so far</source>
+        <translation>Vols de la dernière étape, l’un après l’autre, à partir du meilleur jusque-là</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Generations</source>
+        <translation>Générations</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Generations of</source>
+        <translation>Générations de</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -8588,6 +8768,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_form.cpp"/>
+        <source>Towards the best</source>
+        <translation>Vers le meilleur</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Which variable matters</source>
+        <translation>Quelle variable compte</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
         <source>or until something tears</source>
         <translation>ou jusqu’à une déchirure</translation>
     </message>
@@ -8615,6 +8805,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_panel.cpp"/>
         <source>%1 of %2 flown</source>
         <translation>%1 sur %2 volés</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>%1 of up to %2 flown</source>
+        <translation>%1 volés sur %2 au plus</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -8767,6 +8962,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
+        <source>Best so far</source>
+        <translation>Meilleur jusque-là</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
         <source>Click a flight to watch it or to take its values.</source>
         <translation>Cliquer sur un vol pour le regarder ou prendre ses valeurs.</translation>
     </message>
@@ -8782,6 +8982,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
+        <source>Front</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
         <source>Give the open design the values of this flight, as one step.</source>
         <translation>Donner à la conception ouverte les valeurs de ce vol, en une seule étape.</translation>
     </message>
@@ -8789,6 +8994,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="study_view.cpp"/>
         <source>Held.</source>
         <translation>A tenu.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Map</source>
+        <translation>Carte</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>
@@ -8824,6 +9034,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="study_view.cpp"/>
         <source>What is shown</source>
         <translation>Ce qui est montré</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>What matters</source>
+        <translation>Ce qui compte</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>

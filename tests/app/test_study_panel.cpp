@@ -5,6 +5,8 @@
 
 #include "document/recordings.h"
 #include "inspector/inspector.h"
+#include "study/goal_chart.h"
+#include "study/goal_form.h"
 #include "study/study_chart.h"
 #include "study/study_form.h"
 #include "study/study_panel.h"
@@ -55,7 +57,41 @@ struct StudyShop : WindowShop
     {
         Study study = panel.form().study();
         study.seconds = seconds;
-        panel.form().setStudy(study, [](const StudyVariable&) { return QString(); });
+        show(study);
+    }
+    // In the form, as a person would have made it.
+    void show(const Study& study)
+    {
+        QStringList probes;
+        for (const Entry& entry : document.scene().items)
+            if (const auto* probe = std::get_if<Probe>(&entry.item))
+                probes << QString::fromStdString(probe->name);
+        panel.form().setStudy(
+            study, [](const StudyVariable&) { return QString(); }, probes);
+        emit panel.form().edited();
+    }
+    bool chooseIn(const QString& name, int place)
+    {
+        for (QComboBox* box : panel.findChildren<QComboBox*>())
+            if (box->accessibleName() == name && place >= 0 && place < box->count()) {
+                box->setCurrentIndex(place);
+                emit box->activated(place);
+                return true;
+            }
+        return false;
+    }
+    void choosePlan(StudyPlan::Kind kind)
+    {
+        for (QComboBox* box : panel.findChildren<QComboBox*>())
+            if (box->accessibleName() == "Points" && !chooseIn("Points", box->findData(int(kind))))
+                qFatal("there is no such plan");
+    }
+    bool choosePicture(const QString& words)
+    {
+        for (QComboBox* box : panel.findChildren<QComboBox*>())
+            if (box->accessibleName() == "Picture")
+                return box->isVisible() && chooseIn("Picture", box->findText(words));
+        return false;
     }
     bool isDone() const { return panel.runner().task() == StudyRunner::Task::None; }
     QString lastSaid() const { return said.isEmpty() ? QString() : said.last().first().toString(); }
@@ -153,6 +189,78 @@ private slots:
         QFile ledger(shop.folder.filePath("a.ripstop-runs/shard-1-of-1.jsonl"));
         QVERIFY(ledger.open(QIODevice::ReadOnly));
         QCOMPARE(ledger.readAll().count("{\"key\""), 5);
+    }
+
+    // A search by the form alone: what is wanted, how it is looked for, and the pictures of it.
+    void looksForTheBest()
+    {
+        StudyShop shop;
+        shop.shelf().study(shop.property(Kind::Particle, "mass"), {weight});
+        shop.setSeconds(0.1);
+        shop.choosePlan(StudyPlan::Kind::Optimise);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QVERIFY2(shop.panel.state().contains("objectives"), qPrintable(shop.panel.state()));
+        QVERIFY(shop.panel.form().goals().isVisible());
+        QTest::mouseClick(&shop.button("Want something…"), Qt::LeftButton);
+        Study study = shop.panel.form().study();
+        QCOMPARE(study.objectives.size(), std::size_t(1));
+        QVERIFY(!study.objectives[0].measure.probe.empty());
+        study.plan.population = 4;
+        study.plan.generations = 3;
+        shop.show(study);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().flights().size() == 12,
+                                 patience);
+        QVERIFY(shop.panel.runner().tally().flown == 12);
+        QVERIFY(shop.choosePicture("Best so far"));
+        GoalChart& chart = shop.panel.view().goals();
+        QVERIFY(chart.isVisible());
+        QCOMPARE(chart.pointCount(), 12);
+        chart.plot().replot();
+        const std::size_t wanted = shop.panel.runner().study()->wanted.front();
+        const double first = shop.panel.runner().flights()[0]->measured[wanted];
+        const double x = chart.plot().xAxis->coordToPixel(1.0);
+        const double y = chart.plot().yAxis->coordToPixel(first);
+        QTest::mouseClick(&chart.plot(), Qt::LeftButton, {}, QPointF(x, y).toPoint());
+        QVERIFY(shop.panel.view().chosen() == std::size_t(0));
+    }
+
+    void showsTheFrontOfTwo()
+    {
+        StudyShop shop;
+        shop.shelf().study(shop.property(Kind::Particle, "mass"), {weight});
+        shop.setSeconds(0.1);
+        shop.choosePlan(StudyPlan::Kind::Optimise);
+        for (int i = 0; i < 2; ++i)
+            QTest::mouseClick(&shop.button("Want something…"), Qt::LeftButton);
+        Study study = shop.panel.form().study();
+        QVERIFY(study.plan.method == StudyPlan::Method::Nsga2);
+        study.objectives[1].goal = Goal::Minimise;
+        study.plan.population = 4;
+        study.plan.generations = 2;
+        shop.show(study);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().flights().size() == 8,
+                                 patience);
+        QVERIFY(shop.choosePicture("Front"));
+        QCOMPARE(shop.panel.view().goals().pointCount(), 8);
+    }
+
+    void showsWhatMatters()
+    {
+        StudyShop shop;
+        shop.shelf().study(shop.property(Kind::Particle, "mass"), {weight});
+        shop.shelf().study(shop.property(Kind::Settings, "airDensity"), {settingsId});
+        shop.setSeconds(0.1);
+        Study study = shop.panel.form().study();
+        study.plan.kind = StudyPlan::Kind::Sensitivity;
+        study.plan.count = 4;
+        shop.show(study);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 16,
+                                 patience);
+        QVERIFY(shop.choosePicture("What matters"));
+        QVERIFY(shop.panel.view().goals().isVisible());
     }
 
     void badFilesLeaveTheStudyThatIsOpen()

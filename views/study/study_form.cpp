@@ -5,6 +5,8 @@
 #include "document/words.h"
 #include "inspector/value_edit.h"
 #include "scene/typed_number.h"
+#include "study/goal_form.h"
+#include "study/polish.h"
 #include "study/variable_row.h"
 
 #include <QCheckBox>
@@ -23,12 +25,6 @@ namespace {
 using PlanKind = StudyPlan::Kind;
 
 constexpr int usualCount = 64; // points of a plan that draws them
-
-bool isDrawn(PlanKind kind)
-{
-    return kind == PlanKind::LatinHypercube || kind == PlanKind::Sobol
-           || kind == PlanKind::MonteCarlo;
-}
 
 QString judgeSeconds(const QString& typed)
 {
@@ -49,6 +45,11 @@ StudyForm::StudyForm(QWidget* parent)
     , m_count(new QSpinBox)
     , m_seed(new QSpinBox)
     , m_seedLabel(new QLabel(tr("with seed")))
+    , m_search(new QHBoxLayout)
+    , m_population(new QSpinBox)
+    , m_generations(new QSpinBox)
+    , m_polish(new QSpinBox)
+    , m_goals(new GoalForm)
     , m_seconds(new ValueEdit(judgeSeconds))
     , m_untilTear(new QCheckBox(tr("or until something tears")))
 {
@@ -61,6 +62,8 @@ StudyForm::StudyForm(QWidget* parent)
     m_plan->addItem(tr("Sobol' sequence"), int(PlanKind::Sobol));
     m_plan->addItem(tr("Latin hypercube"), int(PlanKind::LatinHypercube));
     m_plan->addItem(tr("At random"), int(PlanKind::MonteCarlo));
+    m_plan->addItem(tr("Towards the best"), int(PlanKind::Optimise));
+    m_plan->addItem(tr("Which variable matters"), int(PlanKind::Sensitivity));
     m_plan->setAccessibleName(tr("Points"));
     m_plan->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_plan->setMinimumContentsLength(12);
@@ -77,6 +80,11 @@ StudyForm::StudyForm(QWidget* parent)
     m_draw->addWidget(m_count, 1);
     m_draw->addWidget(m_seedLabel);
     m_draw->addWidget(m_seed, 1);
+    m_search->setSpacing(4);
+    addSearch(*m_population, tr("Generations of"), 2, tr("Flights of a generation, at once"));
+    addSearch(*m_generations, QStringLiteral("×"), 1, tr("Generations"));
+    addSearch(*m_polish, QStringLiteral("+"), 0,
+              tr("Flights of the last stage, one after the other, from the best so far"));
     auto* flight = new QHBoxLayout;
     flight->addWidget(m_seconds);
     flight->addWidget(m_untilTear);
@@ -87,6 +95,7 @@ StudyForm::StudyForm(QWidget* parent)
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(tr("Points"), m_plan);
     form->addRow(QString(), m_draw);
+    form->addRow(QString(), m_search);
     form->addRow(tr("Each flight"), flight);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 4);
@@ -94,7 +103,9 @@ StudyForm::StudyForm(QWidget* parent)
     layout->addLayout(m_variables);
     layout->addWidget(m_hint);
     layout->addLayout(form);
+    layout->addWidget(m_goals);
 
+    connect(m_goals, &GoalForm::edited, this, &StudyForm::takePlan);
     connect(m_plan, &QComboBox::activated, this, &StudyForm::takePlan);
     connect(m_count, &QSpinBox::valueChanged, this, &StudyForm::takePlan);
     connect(m_seed, &QSpinBox::valueChanged, this, &StudyForm::takePlan);
@@ -105,6 +116,18 @@ StudyForm::StudyForm(QWidget* parent)
             [this](bool on) { change([&] { m_study.untilTear = on; }); });
 }
 
+void StudyForm::addSearch(QSpinBox& box, const QString& words, int least, const QString& tip)
+{
+    box.setRange(least, 10'000);
+    box.setAccessibleName(tip);
+    box.setToolTip(tip);
+    auto* label = new QLabel(words);
+    m_searchLabels.push_back(label);
+    m_search->addWidget(label);
+    m_search->addWidget(&box, 1);
+    connect(&box, &QSpinBox::valueChanged, this, &StudyForm::takePlan);
+}
+
 void StudyForm::change(const std::function<void()>& what)
 {
     if (m_isShowing)
@@ -113,13 +136,14 @@ void StudyForm::change(const std::function<void()>& what)
     emit edited();
 }
 
-void StudyForm::setStudy(Study study, UnitOf unitOf)
+void StudyForm::setStudy(Study study, UnitOf unitOf, const QStringList& probes)
 {
     m_study = std::move(study);
     m_unitOf = std::move(unitOf);
     m_isShowing = true;
     m_seconds->show(compactNumber(m_study.seconds));
     m_untilTear->setChecked(m_study.untilTear);
+    m_goals->show(m_study, probes);
     showPlan();
     m_isShowing = false;
     rebuild();
@@ -137,8 +161,20 @@ void StudyForm::showPlan()
     m_count->setValue(plan.count > 0 ? int(std::min<std::int64_t>(plan.count, m_count->maximum()))
                                      : usualCount);
     m_seed->setValue(int(std::min<std::uint64_t>(plan.seed, std::uint64_t(m_seed->maximum()))));
-    for (QWidget* one : std::initializer_list<QWidget*>{m_count, m_seed, m_seedLabel})
-        one->setVisible(isDrawn(plan.kind));
+    const bool isOptimised = plan.kind == PlanKind::Optimise;
+    m_population->setValue(int(plan.population));
+    m_generations->setValue(int(plan.generations));
+    m_polish->setValue(int(plan.polish));
+    m_count->setVisible(plan.draws());
+    for (QWidget* one : std::initializer_list<QWidget*>{m_seed, m_seedLabel})
+        one->setVisible(plan.draws() || isOptimised);
+    for (QWidget* one : m_searchLabels)
+        one->setVisible(isOptimised);
+    for (QWidget* one : {m_population, m_generations, m_polish})
+        one->setVisible(isOptimised);
+    // a swarm polishes, a front has no single best place to begin from
+    m_polish->setEnabled(Polish::isThere() && m_study.objectives.size() < 2);
+    m_goals->setVisible(isOptimised || !m_study.objectives.empty());
 }
 
 void StudyForm::takePlan()
@@ -146,8 +182,14 @@ void StudyForm::takePlan()
     change([this] {
         StudyPlan& plan = m_study.plan;
         plan.kind = PlanKind(m_plan->currentData().toInt());
-        plan.count = isDrawn(plan.kind) ? m_count->value() : 0;
+        plan.count = plan.draws() ? m_count->value() : 0;
         plan.seed = std::uint64_t(m_seed->value());
+        m_goals->giveTo(m_study);
+        const bool hasFront = m_study.objectives.size() > 1;
+        plan.population = m_population->value();
+        plan.generations = m_generations->value();
+        plan.polish = hasFront ? 0 : m_polish->value();
+        plan.method = hasFront ? StudyPlan::Method::Nsga2 : StudyPlan::Method::ParticleSwarm;
         m_isShowing = true;
         showPlan();
         m_isShowing = false;

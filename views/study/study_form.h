@@ -17,6 +17,7 @@ class QVBoxLayout;
 
 namespace ripstop {
 
+class GoalForm;
 class ValueEdit;
 class VariableRow;
 
@@ -30,8 +31,11 @@ public:
     // Says the unit of what a variable sets.
     using UnitOf = std::function<QString(const StudyVariable&)>;
 
-    void setStudy(Study study, UnitOf unitOf);
+    //   probes  of the scene, by their names
+    void setStudy(Study study, UnitOf unitOf, const QStringList& probes = {});
     const Study& study() const { return m_study; }
+
+    GoalForm& goals() { return *m_goals; }
 
     void add(StudyVariable variable); // or new values for the one that has the same paths
 
@@ -42,6 +46,7 @@ private:
     void rebuild();
     void showPlan();
     void takePlan();
+    void addSearch(QSpinBox& box, const QString& words, int least, const QString& tip);
     void change(const std::function<void()>& what);
 
     Study m_study;
@@ -54,6 +59,12 @@ private:
     QSpinBox* m_count;
     QSpinBox* m_seed;
     QLabel* m_seedLabel;
+    QHBoxLayout* m_search; // of an optimisation
+    QSpinBox* m_population;
+    QSpinBox* m_generations;
+    QSpinBox* m_polish;
+    std::vector<QLabel*> m_searchLabels;
+    GoalForm* m_goals;
     ValueEdit* m_seconds;
     QCheckBox* m_untilTear;
     bool m_isShowing = false; // values come from the study and not from a person

@@ -7,8 +7,8 @@
 #include "document/recordings.h"
 #include "document/words.h"
 #include "io/whole_file.h"
-#include "scene/path.h"
 #include "study/point_scene.h"
+#include "study/probe_names.h"
 #include "study/study_form.h"
 #include "study/study_table.h"
 #include "study/study_view.h"
@@ -186,6 +186,20 @@ QString StudyPanel::unitOf(const StudyVariable& variable) const
     return QString::fromStdString(ripstop::unitOf(scene, variable.paths.front()));
 }
 
+// Of the scene that is flown, with names that tell them apart.
+QStringList StudyPanel::probes() const
+{
+    const Scene& scene = m_runner.study() ? m_runner.study()->scene : m_document.scene();
+    std::vector<Layout::Probe> all;
+    for (const Entry& entry : scene.items)
+        if (const auto* probe = std::get_if<Probe>(&entry.item))
+            all.push_back({0, probe->name, {}, false});
+    QStringList names;
+    for (const std::string& name : distinctNames(all))
+        names << QString::fromStdString(name);
+    return names;
+}
+
 void StudyPanel::startNew()
 {
     m_runner.close();
@@ -194,7 +208,8 @@ void StudyPanel::startNew()
     m_isEdited = true;
     Study study;
     study.seconds = usualSeconds;
-    m_form->setStudy(study, [this](const StudyVariable& variable) { return unitOf(variable); });
+    m_form->setStudy(
+        study, [this](const StudyVariable& variable) { return unitOf(variable); }, probes());
     m_pages->setCurrentIndex(1);
     showState();
 }
@@ -240,8 +255,8 @@ void StudyPanel::showOpened()
     const OpenedStudy& study = *m_runner.study();
     m_file = QString::fromStdString(study.file.string());
     m_isEdited = false;
-    m_form->setStudy(study.study,
-                     [this](const StudyVariable& variable) { return unitOf(variable); });
+    m_form->setStudy(
+        study.study, [this](const StudyVariable& variable) { return unitOf(variable); }, probes());
     m_view->setStudy(&study, &m_runner.flights());
     m_pages->setCurrentIndex(1);
     const QString design = QString::fromStdString(study.sceneFile.string());
@@ -336,14 +351,18 @@ void StudyPanel::showState()
     m_form->setEnabled(task != Task::Flying);
     const bool isKnown = m_runner.study() != nullptr;
     const StudyTally tally = m_runner.tally();
-    // a search along the tear line does not fly all, and how many is known when it is over
+    // a search does not fly all, and how many is known when it is over
     const bool isSearch = isKnown && m_runner.study()->study.plan.kind == StudyPlan::Kind::Frontier;
-    const auto all = int(isSearch ? tally.flown : m_runner.flights().size());
+    const bool isOptimised = isKnown && m_runner.study()->optimiser;
+    const auto all = int(isSearch      ? tally.flown
+                         : isOptimised ? Optimiser::most(m_runner.study()->study.plan)
+                                       : m_runner.flights().size());
     m_progress->setVisible(isKnown || task != Task::None);
     m_progress->setMaximum(task == Task::Opening || task == Task::Watching ? 0 : std::max(1, all));
     m_progress->setValue(int(tally.flown));
-    m_progress->setFormat(isSearch ? tr("%1 flown along the tear line").arg(tally.flown)
-                                   : tr("%1 of %2 flown").arg(tally.flown).arg(all));
+    m_progress->setFormat(isSearch      ? tr("%1 flown along the tear line").arg(tally.flown)
+                          : isOptimised ? tr("%1 of up to %2 flown").arg(tally.flown).arg(all)
+                                        : tr("%1 of %2 flown").arg(tally.flown).arg(all));
     if (task == Task::Opening)
         return m_state->setText(tr("Opening…"));
     if (task == Task::Watching)
@@ -403,7 +422,9 @@ void StudyPanel::applyToDesign(std::size_t point)
 {
     std::vector<Edit> edits;
     for (const std::string& one : m_runner.study()->assignments(point)) {
-        const auto edit = assignment(m_document.scene(), one);
+        if (setsControls(one)) // nothing of the design
+            continue;
+        const auto edit = propertyAssignment(m_document.scene(), one);
         if (!edit) {
             m_state->setText(tr("The open design cannot take it. %1: %2")
                                  .arg(QString::fromStdString(one), translated(edit.message())));

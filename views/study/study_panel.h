@@ -74,6 +74,7 @@ private:
     void applyToDesign(std::size_t point);
     void saveTable();
     QString unitOf(const StudyVariable& variable) const;
+    QStringList probes() const;
 
     Document& m_document;
     Recordings& m_recordings;

@@ -5,6 +5,7 @@
 #include "document/words.h"
 #include "icons/icon.h"
 #include "plots/chart_picture.h"
+#include "study/goal_chart.h"
 #include "study/shown_value.h"
 #include "study/study_chart.h"
 
@@ -16,6 +17,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -49,12 +51,15 @@ QString outcomeText(const FlightResult& flight)
 
 StudyView::StudyView(QWidget* parent)
     : QWidget(parent)
+    , m_picture(narrowBox(tr("Picture")))
     , m_reading(narrowBox(tr("What is shown")))
     , m_x(narrowBox(tr("Variable to the right")))
     , m_over(new QLabel(tr("over")))
     , m_y(narrowBox(tr("Variable upwards")))
     , m_slices(new QHBoxLayout)
+    , m_charts(new QStackedWidget)
     , m_chart(new StudyChart)
+    , m_goals(new GoalChart)
     , m_told(new QLabel)
     , m_watch(new QPushButton(tr("&Watch")))
     , m_apply(new QPushButton(tr("&Apply")))
@@ -65,9 +70,16 @@ StudyView::StudyView(QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(axesLine());
     layout->addLayout(m_slices);
-    layout->addWidget(m_chart, 1);
+    m_charts->addWidget(m_chart);
+    m_charts->addWidget(m_goals);
+    layout->addWidget(m_charts, 1);
     layout->addWidget(flightLine());
     connect(m_chart, &StudyChart::chosen, this, &StudyView::choose);
+    connect(m_goals, &GoalChart::chosen, this, &StudyView::choose);
+    connect(m_picture, &QComboBox::activated, this, [this] {
+        showBoxes();
+        refresh();
+    });
     connect(m_chart, &StudyChart::pointedAt, this, &StudyView::describe);
     connect(m_watch, &QPushButton::clicked, this, [this] { emit watchWanted(*m_chosen); });
     connect(m_apply, &QPushButton::clicked, this, [this] { emit applyWanted(*m_chosen); });
@@ -93,6 +105,7 @@ QWidget* StudyView::axesLine()
     auto* line = new QWidget;
     auto* layout = new QHBoxLayout(line);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_picture, 1);
     layout->addWidget(m_reading, 2);
     layout->addWidget(m_over);
     layout->addWidget(m_x, 1);
@@ -174,9 +187,37 @@ void StudyView::fillChoices()
     fill(*m_x, variables, 0);
     variables << tr("(none)");
     fill(*m_y, variables, variables.size() > 2 ? 1 : int(variables.size()) - 1);
-    for (QWidget* one : std::initializer_list<QWidget*>{m_x, m_y})
-        one->setVisible(variables.size() > 2);
-    m_over->setVisible(variables.size() > 2);
+    fillPictures();
+}
+
+// The map first, and what is looked for.
+void StudyView::fillPictures()
+{
+    const QString before = m_picture->currentText();
+    m_picture->clear();
+    m_picture->addItem(tr("Map"), -1);
+    for (const GoalChart::Picture picture : GoalChart::picturesOf(*m_study)) {
+        const QString texts[]{tr("Best so far"), tr("Front"), tr("What matters")};
+        m_picture->addItem(texts[std::size_t(picture)], int(picture));
+    }
+    m_picture->setCurrentIndex(std::max(0, m_picture->findText(before)));
+    showBoxes();
+}
+
+// Only the choices that the picture asks for.
+void StudyView::showBoxes()
+{
+    const bool isMap = m_picture->currentData().toInt() < 0;
+    const bool hasAxes = isMap && m_study && m_study->study.variables.size() > 1;
+    m_picture->setVisible(m_picture->count() > 1);
+    m_reading->setVisible(
+        isMap || m_picture->currentData().toInt() == int(GoalChart::Picture::Sensitivity));
+    for (QWidget* one : std::initializer_list<QWidget*>{m_x, m_y, m_over})
+        one->setVisible(hasAxes);
+    for (QComboBox* box : m_sliceBoxes)
+        if (box)
+            box->parentWidget()->setVisible(isMap);
+    m_charts->setCurrentIndex(isMap ? 0 : 1);
 }
 
 // A box for each further variable of a grid.
@@ -213,12 +254,18 @@ void StudyView::refresh()
         m_chart->show({}, {});
         return;
     }
+    const auto reading = std::size_t(std::max(0, m_reading->currentIndex()));
+    if (m_charts->currentWidget() == m_goals) {
+        m_goals->show(*m_study, *m_flights, GoalChart::Picture(m_picture->currentData().toInt()),
+                      reading);
+        return describe(-1);
+    }
     MapChoice choice;
     choice.x = std::size_t(std::max(0, m_x->currentIndex()));
     const auto y = std::size_t(std::max(0, m_y->currentIndex()));
     if (y < m_study->study.variables.size() && y != choice.x)
         choice.y = y;
-    choice.reading = std::size_t(std::max(0, m_reading->currentIndex()));
+    choice.reading = reading;
     for (const QComboBox* box : m_sliceBoxes)
         choice.slice.push_back(box ? std::size_t(box->currentIndex()) : 0);
     m_chart->show(mapOf(*m_study, *m_flights, choice), m_reading->currentText());
@@ -265,7 +312,8 @@ void StudyView::savePictureAs()
                                      tr("Pictures (*.svg *.pdf *.png)"));
     if (file.isEmpty())
         return;
-    if (savePicture(m_chart->plot(), file))
+    const bool isMap = m_charts->currentWidget() == m_chart;
+    if (savePicture(isMap ? m_chart->plot() : m_goals->plot(), file))
         emit said(tr("Saved %1").arg(QFileInfo(file).fileName()));
     else
         QMessageBox::warning(this, tr("Cannot save the picture"),

@@ -1,5 +1,5 @@
 // What a study has found: its map, which measure it shows over which variables, and the flight that
-// is chosen in it.
+// is chosen in it; of what is looked for, the pictures of goal_chart.h.
 //
 // It draws what it is given and announces what a person wants of a flight; the panel does it.
 #pragma once
@@ -14,10 +14,12 @@ class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 class QToolButton;
 
 namespace ripstop {
 
+class GoalChart;
 class StudyChart;
 
 class StudyView final : public QWidget
@@ -32,6 +34,7 @@ public:
     void refresh(); // there are more flights
 
     StudyChart& chart() { return *m_chart; }
+    GoalChart& goals() { return *m_goals; }
     std::optional<std::size_t> chosen() const { return m_chosen; } // point of the study
     void choose(std::optional<std::size_t> point);
 
@@ -48,6 +51,8 @@ private:
     QWidget* axesLine();
     QWidget* flightLine();
     void fillChoices();
+    void fillPictures();
+    void showBoxes();
     void fillSlices();
     void describe(qlonglong point);
     void savePictureAs();
@@ -55,13 +60,16 @@ private:
     const OpenedStudy* m_study = nullptr;
     const StudyFlights* m_flights = nullptr;
     std::optional<std::size_t> m_chosen;
+    QComboBox* m_picture; // the map, or one of GoalChart
     QComboBox* m_reading;
     QComboBox* m_x;
     QLabel* m_over;
     QComboBox* m_y;
     QHBoxLayout* m_slices;
     std::vector<QComboBox*> m_sliceBoxes; // [variables] null of those that are axes
+    QStackedWidget* m_charts;
     StudyChart* m_chart;
+    GoalChart* m_goals;
     QLabel* m_told;
     QPushButton* m_watch;
     QPushButton* m_apply;
