@@ -5207,7 +5207,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="opened_study.cpp"/>
         <source>%1: the variable %2 sets controls, which are files; give it "values".</source>
-        <translation>%1 : la variable %2 fixe des commandes, qui sont des fichiers ; donnez-lui des &quot;values&quot;.</translation>
+        <translation>%1 : la variable %2 fixe des commandes, qui sont des fichiers ; donnez-lui des "values".</translation>
     </message>
     <message>
         <location filename="operation.cpp"/>
@@ -8780,6 +8780,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_form.cpp"/>
         <source>or until something tears</source>
         <translation>ou jusqu’à une déchirure</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>then from the best</source>
+        <translation>puis à partir du meilleur</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -16074,8 +16079,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="variable_row.cpp"/>
-        <source>How many values, both ends included.</source>
-        <translation>Combien de valeurs, les deux bouts compris.</translation>
+        <source>How many values, both ends included; 0 for plans that draw between them.</source>
+        <translation>Combien de valeurs, les deux bouts compris ; 0 pour les plans qui tirent entre eux.</translation>
     </message>
     <message>
         <location filename="variable_row.cpp"/>

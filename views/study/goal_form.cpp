@@ -6,7 +6,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -68,10 +68,9 @@ GoalForm::GoalForm(QWidget* parent)
     auto* last = new QHBoxLayout;
     last->addWidget(add);
     last->addStretch();
-    auto* outcomes = new QHBoxLayout;
+    auto* outcomes = new QVBoxLayout;
     outcomes->addWidget(m_noTear);
     outcomes->addWidget(m_accurate);
-    outcomes->addStretch();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -159,14 +158,16 @@ void GoalForm::addRow(std::size_t place)
     remove->setAccessibleName(remove->toolTip());
     remove->setAutoRaise(true);
     auto* row = new QWidget;
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto* layout = new QGridLayout(row); // two lines, as the form is narrow
+    layout->setContentsMargins(0, 0, 0, 4);
     layout->setSpacing(4);
-    layout->addWidget(goal, 2);
-    layout->addWidget(number, 1);
-    layout->addWidget(probe, 2);
-    layout->addWidget(reduction, 2);
-    layout->addWidget(remove);
+    layout->addWidget(goal, 0, 0);
+    layout->addWidget(number, 0, 1);
+    layout->addWidget(remove, 0, 2);
+    layout->addWidget(probe, 1, 0);
+    layout->addWidget(reduction, 1, 1, 1, 2);
+    for (const int column : {0, 1})
+        layout->setColumnStretch(column, 1);
     m_rows->addWidget(row);
     m_made.push_back(row);
     const auto take = [this, place, goal, number, probe, reduction] {

@@ -46,6 +46,7 @@ StudyForm::StudyForm(QWidget* parent)
     , m_seed(new QSpinBox)
     , m_seedLabel(new QLabel(tr("with seed")))
     , m_search(new QHBoxLayout)
+    , m_last(new QHBoxLayout)
     , m_population(new QSpinBox)
     , m_generations(new QSpinBox)
     , m_polish(new QSpinBox)
@@ -71,6 +72,7 @@ StudyForm::StudyForm(QWidget* parent)
     m_count->setAccessibleName(tr("Number of points"));
     m_seed->setRange(0, std::numeric_limits<int>::max());
     m_seed->setAccessibleName(tr("Seed"));
+    m_seed->setButtonSymbols(QAbstractSpinBox::NoButtons); // the form is narrow
     m_seed->setToolTip(tr("Another seed draws other points."));
     m_seconds->setUnit(QStringLiteral("s"));
     m_seconds->setAccessibleName(tr("Each flight"));
@@ -80,15 +82,13 @@ StudyForm::StudyForm(QWidget* parent)
     m_draw->addWidget(m_count, 1);
     m_draw->addWidget(m_seedLabel);
     m_draw->addWidget(m_seed, 1);
-    m_search->setSpacing(4);
-    addSearch(*m_population, tr("Generations of"), 2, tr("Flights of a generation, at once"));
-    addSearch(*m_generations, QStringLiteral("×"), 1, tr("Generations"));
-    addSearch(*m_polish, QStringLiteral("+"), 0,
+    for (QHBoxLayout* line : {m_search, m_last})
+        line->setSpacing(4);
+    addSearch(*m_search, *m_population, tr("Generations of"), 2,
+              tr("Flights of a generation, at once"));
+    addSearch(*m_search, *m_generations, QStringLiteral("×"), 1, tr("Generations"));
+    addSearch(*m_last, *m_polish, tr("then from the best"), 0,
               tr("Flights of the last stage, one after the other, from the best so far"));
-    auto* flight = new QHBoxLayout;
-    flight->addWidget(m_seconds);
-    flight->addWidget(m_untilTear);
-    flight->addStretch();
     auto* form = new QFormLayout;
     form->setContentsMargins(0, 0, 0, 0);
     form->setVerticalSpacing(4);
@@ -96,7 +96,9 @@ StudyForm::StudyForm(QWidget* parent)
     form->addRow(tr("Points"), m_plan);
     form->addRow(QString(), m_draw);
     form->addRow(QString(), m_search);
-    form->addRow(tr("Each flight"), flight);
+    form->addRow(QString(), m_last);
+    form->addRow(tr("Each flight"), m_seconds);
+    form->addRow(QString(), m_untilTear);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 4);
     layout->setSpacing(4);
@@ -116,15 +118,17 @@ StudyForm::StudyForm(QWidget* parent)
             [this](bool on) { change([&] { m_study.untilTear = on; }); });
 }
 
-void StudyForm::addSearch(QSpinBox& box, const QString& words, int least, const QString& tip)
+void StudyForm::addSearch(QHBoxLayout& line, QSpinBox& box, const QString& words, int least,
+                          const QString& tip)
 {
     box.setRange(least, 10'000);
+    box.setButtonSymbols(QAbstractSpinBox::NoButtons);
     box.setAccessibleName(tip);
     box.setToolTip(tip);
     auto* label = new QLabel(words);
     m_searchLabels.push_back(label);
-    m_search->addWidget(label);
-    m_search->addWidget(&box, 1);
+    line.addWidget(label);
+    line.addWidget(&box, 1);
     connect(&box, &QSpinBox::valueChanged, this, &StudyForm::takePlan);
 }
 

@@ -46,7 +46,8 @@ private:
     void rebuild();
     void showPlan();
     void takePlan();
-    void addSearch(QSpinBox& box, const QString& words, int least, const QString& tip);
+    void addSearch(QHBoxLayout& line, QSpinBox& box, const QString& words, int least,
+                   const QString& tip);
     void change(const std::function<void()>& what);
 
     Study m_study;
@@ -60,6 +61,7 @@ private:
     QSpinBox* m_seed;
     QLabel* m_seedLabel;
     QHBoxLayout* m_search; // of an optimisation
+    QHBoxLayout* m_last;   // its last stage
     QSpinBox* m_population;
     QSpinBox* m_generations;
     QSpinBox* m_polish;

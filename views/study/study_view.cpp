@@ -194,13 +194,19 @@ void StudyView::fillChoices()
 void StudyView::fillPictures()
 {
     const QString before = m_picture->currentText();
+    const int count = m_picture->count();
     m_picture->clear();
     m_picture->addItem(tr("Map"), -1);
     for (const GoalChart::Picture picture : GoalChart::picturesOf(*m_study)) {
         const QString texts[]{tr("Best so far"), tr("Front"), tr("What matters")};
         m_picture->addItem(texts[std::size_t(picture)], int(picture));
     }
-    m_picture->setCurrentIndex(std::max(0, m_picture->findText(before)));
+    // a study with other pictures begins with what it looks for
+    const bool hasSame = m_picture->count() == count && m_picture->findText(before) >= 0;
+    const StudyPlan::Kind kind = m_study->study.plan.kind;
+    const bool looks = kind == StudyPlan::Kind::Optimise || kind == StudyPlan::Kind::Sensitivity;
+    m_picture->setCurrentIndex(hasSame ? m_picture->findText(before)
+                                       : std::min(looks ? 1 : 0, m_picture->count() - 1));
     showBoxes();
 }
 

@@ -68,7 +68,11 @@ VariableRow::VariableRow(StudyVariable variable, QString unit, QWidget* parent)
     connect(remove, &QToolButton::clicked, this, &VariableRow::removed);
     grid->addWidget(name, 0, 0, 1, 6);
     grid->addWidget(remove, 0, 6);
-    if (m_variable.spread && !m_variable.values.empty())
+    using Kind = Distribution::Kind;
+    const bool isRange =
+        m_variable.spread
+        && (m_variable.spread->kind == Kind::Uniform || m_variable.spread->kind == Kind::Log);
+    if (isRange)
         addRange(*grid);
     else if (!m_variable.spread)
         addList(*grid);
@@ -94,10 +98,11 @@ void VariableRow::addRange(QGridLayout& grid)
     m_from->show(compactNumber(m_variable.spread->a));
     m_to->show(compactNumber(m_variable.spread->b));
     m_count = new QSpinBox;
-    m_count->setRange(2, mostSteps);
+    m_count->setRange(0, mostSteps);
     m_count->setValue(int(m_variable.values.size()));
     m_count->setAccessibleName(tr("Values"));
-    m_count->setToolTip(tr("How many values, both ends included."));
+    m_count->setToolTip(
+        tr("How many values, both ends included; 0 for plans that draw between them."));
     m_log = new QToolButton;
     m_log->setText(tr("log"));
     m_log->setCheckable(true);
@@ -126,7 +131,8 @@ void VariableRow::takeRange()
     if (m_log->isChecked() && !(from > 0.0))
         return m_complaint->tell(tr("Even factors have to begin above 0."));
     m_complaint->tell({});
-    StudyVariable range = rangeVariable(from, to, m_count->value(), m_log->isChecked());
+    const int count = m_count->value() == 1 ? 2 : m_count->value(); // both ends
+    StudyVariable range = rangeVariable(from, to, count, m_log->isChecked());
     m_variable.values = std::move(range.values);
     m_variable.spread = range.spread;
     emit edited();
