@@ -72,7 +72,10 @@ StudyForm::StudyForm(QWidget* parent)
     m_count->setAccessibleName(tr("Number of points"));
     m_seed->setRange(0, std::numeric_limits<int>::max());
     m_seed->setAccessibleName(tr("Seed"));
-    m_seed->setButtonSymbols(QAbstractSpinBox::NoButtons); // the form is narrow
+    for (QSpinBox* box : {m_count, m_seed}) { // the form is narrow
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(50); // the largest number of all need not fit
+    }
     m_seed->setToolTip(tr("Another seed draws other points."));
     m_seconds->setUnit(QStringLiteral("s"));
     m_seconds->setAccessibleName(tr("Each flight"));
