@@ -2860,6 +2860,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
+        <source>Limits of measures, as the file of the study has them.</source>
+        <translation>Limites de mesures, telles que le fichier de l’étude les a.</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
         <source>Nearest to</source>
         <translation>Le plus proche de</translation>
     </message>

@@ -2,11 +2,13 @@
 #include "study/goal_form.h"
 
 #include "icons/icon.h"
+#include "study/shown_value.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -45,6 +47,15 @@ QStringList reductionTexts() // in the order of the enumeration
             GoalForm::tr("time of the largest")};
 }
 
+QString limitText(const Constraint& constraint) // "line tension max ≤ 60"
+{
+    const QString sign =
+        constraint.kind == Constraint::Kind::AtMost ? QStringLiteral("≤") : QStringLiteral("≥");
+    return QStringLiteral("%1 %2 %3")
+        .arg(QString::fromStdString(headingOf(constraint.measure, {})), sign,
+             fourDigits(constraint.limit));
+}
+
 } // namespace
 
 GoalForm::GoalForm(QWidget* parent)
@@ -52,6 +63,7 @@ GoalForm::GoalForm(QWidget* parent)
     , m_rows(new QVBoxLayout)
     , m_noTear(new QCheckBox(tr("Nothing may tear")))
     , m_accurate(new QCheckBox(tr("The accuracy is held")))
+    , m_limits(new QLabel)
 {
     m_rows->setSpacing(2);
     auto* add = new QPushButton(tr("&Want something…"));
@@ -71,6 +83,10 @@ GoalForm::GoalForm(QWidget* parent)
     auto* outcomes = new QVBoxLayout;
     outcomes->addWidget(m_noTear);
     outcomes->addWidget(m_accurate);
+    outcomes->addWidget(m_limits);
+    m_limits->setTextFormat(Qt::PlainText);
+    m_limits->setWordWrap(true);
+    m_limits->setToolTip(tr("Limits of measures, as the file of the study has them."));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -96,6 +112,11 @@ void GoalForm::show(const Study& study, const QStringList& probes)
     };
     std::ranges::copy_if(study.constraints, std::back_inserter(m_measured),
                          [](const auto& one) { return one.kind != Constraint::Kind::Outcome; });
+    QStringList limits;
+    for (const Constraint& one : m_measured)
+        limits << limitText(one);
+    m_limits->setText(limits.join(QChar('\n')));
+    m_limits->setVisible(!limits.isEmpty());
     m_isShowing = true;
     m_noTear->setChecked(isWanted(WantedOutcome::NoTear));
     m_accurate->setChecked(isWanted(WantedOutcome::Accurate));

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QCheckBox;
+class QLabel;
 class QVBoxLayout;
 
 namespace ripstop {
@@ -39,6 +40,7 @@ private:
     std::vector<QWidget*> m_made; // rows that are shown
     QCheckBox* m_noTear;
     QCheckBox* m_accurate;
+    QLabel* m_limits;         // the constraints on measures
     bool m_isShowing = false; // values come from the study and not from a person
 };
 
