@@ -1,6 +1,7 @@
 // A study from options: what varies, how the points come of that, and what is wanted.
 #include "cli/study_new.h"
 
+#include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
 #include "cli/targets.h"
 #include "io/csv.h"
@@ -8,6 +9,7 @@
 #include "io/whole_file.h"
 #include "study/point_scene.h"
 #include "study/polish.h"
+#include "study/study.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
