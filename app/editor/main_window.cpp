@@ -115,11 +115,10 @@ void MainWindow::buildActions()
         m_handBar->refresh();
         m_brushBar->refresh();
     };
-    m_menus = std::make_unique<Menus>(
-        Workbench{*this, m_document, m_selection, m_player, *m_recordings, *m_viewport,
-                  m_drawSettings, *m_docks, *m_files, *m_runFiles, *m_arrivals, m_dialogs,
-                  m_actions, [this] { showStartPage(); }, tour, [this] { resetLayout(); },
-                  toolChanged});
+    m_menus = std::make_unique<Menus>(Workbench{
+        *this, m_document, m_selection, m_player, *m_recordings, *m_viewport, m_drawSettings,
+        *m_docks, *m_files, *m_runFiles, *m_arrivals, m_dialogs, m_actions,
+        [this] { showStartPage(); }, tour, [this] { resetLayout(); }, toolChanged});
     m_actions.takeKeys(m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore);
     connect(m_start, &StartPage::tourRequested, this, tour);
 }

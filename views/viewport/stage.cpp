@@ -68,8 +68,8 @@ Stage::Stage(vtkRenderWindow& window)
 
 std::array<Layer*, 17> Stage::layers()
 {
-    return {&m_ground,  &m_shadow,      &m_colliders, &panels,   &links,  &particles,
-            &m_weights, &m_highlight,   &m_pins,      &m_guides, &m_wind, &m_vectors,
+    return {&m_ground,  &m_shadow,      &m_colliders, &panels,   &links,   &particles,
+            &m_weights, &m_highlight,   &m_pins,      &m_guides, &m_wind,  &m_vectors,
             &ghost,     &m_designGhost, &trails,      &m_grain,  &m_person};
 }
 
