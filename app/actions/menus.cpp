@@ -42,8 +42,10 @@ constexpr std::array<MenuRows (*)(const Workbench&), 15> sources{
 
 // What colours by each quantity, in the order of ColorBy. The view says by which, and the menu
 // follows.
-constexpr std::array colorings{"byMaterial", "byStrain", "byTension",  "bySpeed", "byLoad",
-                               "byTear",     "byStress", "byWrinkles", "byMargin"};
+constexpr std::array colorings{"byMaterial", "byStrain",    "byTension",  "bySpeed",
+                               "byLoad",     "byTear",      "byStress",   "byWrinkles",
+                               "byMargin",   "byStiffness", "byStrength", "byGrain"};
+static_assert(colorings.size() == colorByCount);
 
 // Whether the row shows or hides something in the view, or is one of the ways of colouring it.
 bool isOfView(const MenuRow& row)
