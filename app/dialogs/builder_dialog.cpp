@@ -155,8 +155,8 @@ void BuilderDialog::layOut()
             buildSoon();
         });
     }
-    if (m_open)
-        form->addWidget(m_show);
+    form->addWidget(m_show);
+    m_show->setVisible(m_open.has_value()); // a design of its own has a view of its own
     form->addWidget(m_figures);
     form->addWidget(m_buttons);
     auto* layout = new QHBoxLayout(this);
