@@ -1,4 +1,4 @@
-#include "actions/menu_rows.h"
+#include "actions/choice_rows.h"
 
 #include "actions/workbench.h"
 #include "language/language.h"
@@ -11,14 +11,7 @@
 namespace ripstop {
 namespace {
 
-struct Choice
-{
-    const char* action;
-    const char* name; // each language by its own name; System in the language of the window
-    const char* tip;
-};
-
-// In the order of Language.
+// In the order of Language: each by its own name, System in the language of the window.
 constexpr std::array<Choice, 3> choices{{
     {"languageSystem", QT_TRANSLATE_NOOP("Actions", "&System"),
      QT_TRANSLATE_NOOP("Actions", "The language of the desktop, from the next start on.")},
@@ -39,19 +32,8 @@ void choose(Language language, QMainWindow& window)
 
 MenuRows languageRows(const Workbench& bench)
 {
-    MenuRows rows;
-    const Language kept = keptLanguage();
-    for (std::size_t i = 0; i < choices.size(); ++i)
-        rows.push_back({"&View/Lan&guage",
-                        choices[i].action,
-                        tr(choices[i].name),
-                        nullptr,
-                        {},
-                        tr(choices[i].tip),
-                        [&window = bench.window, i] { choose(Language(i), window); },
-                        Language(i) == kept ? Toggle::On : Toggle::Off,
-                        "language"});
-    return rows;
+    return choiceRows("&View/Lan&guage", "language", choices, std::size_t(keptLanguage()),
+                      [&window = bench.window](std::size_t i) { choose(Language(i), window); });
 }
 
 } // namespace ripstop

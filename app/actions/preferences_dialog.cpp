@@ -4,6 +4,7 @@
 #include "files/run_files.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -26,14 +27,13 @@ PreferencesDialog::PreferencesDialog(const Actions& actions, RunFiles& runFiles,
                           "a temporary file."));
     connect(memory, &QSpinBox::valueChanged, &runFiles, &RunFiles::setMemory);
 
-    auto* language = choice(actions, {"languageSystem", "languageEnglish", "languageFrench"});
     auto* note = new QLabel(tr("The language changes when Ripstop starts the next time; memory "
                                "counts from the next run on."));
     note->setWordWrap(true);
     note->setForegroundRole(QPalette::PlaceholderText);
     auto* form = new QFormLayout(this);
-    form->addRow(tr("&Theme:"), choice(actions, {"themeSystem", "themeLight", "themeDark"}));
-    form->addRow(tr("&Language:"), language);
+    form->addRow(tr("&Theme:"), choice(*actions["themeSystem"]));
+    form->addRow(tr("&Language:"), choice(*actions["languageSystem"]));
     form->addRow(tr("&Memory for recordings:"), memory);
     form->addRow(note);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -41,12 +41,11 @@ PreferencesDialog::PreferencesDialog(const Actions& actions, RunFiles& runFiles,
     form->addRow(buttons);
 }
 
-// A list of actions that exclude each other, the checked one chosen.
-QComboBox* PreferencesDialog::choice(const Actions& actions, std::initializer_list<const char*> ids)
+// A list of the actions that exclude this one, and of itself, the checked one chosen.
+QComboBox* PreferencesDialog::choice(const QAction& one)
 {
     auto* list = new QComboBox;
-    for (const char* id : ids) {
-        QAction* action = actions[id];
+    for (QAction* action : one.actionGroup()->actions()) {
         list->addItem(action->text().remove('&'));
         list->setItemData(list->count() - 1, action->statusTip(), Qt::ToolTipRole);
         if (action->isChecked())

@@ -7,8 +7,7 @@
 
 #include <QDialog>
 
-#include <initializer_list>
-
+class QAction;
 class QComboBox;
 
 namespace ripstop {
@@ -24,7 +23,7 @@ public:
     PreferencesDialog(const Actions& actions, RunFiles& runFiles, QWidget* parent);
 
 private:
-    QComboBox* choice(const Actions& actions, std::initializer_list<const char*> ids);
+    QComboBox* choice(const QAction& one);
 };
 
 } // namespace ripstop

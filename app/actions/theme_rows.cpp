@@ -1,4 +1,4 @@
-#include "actions/menu_rows.h"
+#include "actions/choice_rows.h"
 
 #include "actions/workbench.h"
 #include "theme/theme_choice.h"
@@ -9,13 +9,6 @@
 
 namespace ripstop {
 namespace {
-
-struct Choice
-{
-    const char* action;
-    const char* name;
-    const char* tip;
-};
 
 // In the order of ThemeChoice.
 constexpr std::array<Choice, 3> choices{{
@@ -37,18 +30,8 @@ void choose(ThemeChoice choice)
 
 MenuRows themeRows(const Workbench& bench)
 {
-    MenuRows rows;
-    const ThemeChoice kept = keptThemeChoice();
-    for (std::size_t i = 0; i < choices.size(); ++i)
-        rows.push_back({"&View/T&heme",
-                        choices[i].action,
-                        tr(choices[i].name),
-                        nullptr,
-                        {},
-                        tr(choices[i].tip),
-                        [i] { choose(ThemeChoice(i)); },
-                        ThemeChoice(i) == kept ? Toggle::On : Toggle::Off,
-                        "theme"});
+    MenuRows rows = choiceRows("&View/T&heme", "theme", choices, std::size_t(keptThemeChoice()),
+                               [](std::size_t i) { choose(ThemeChoice(i)); });
     rows.push_back({"&View",
                     "resetLayout",
                     tr("Reset la&yout"),

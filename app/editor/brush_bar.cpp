@@ -21,8 +21,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int brushFieldWidth = 96; // pixels
-
 // clang-format off
 constexpr std::array<Parameter, paintedCount> valueParameters{{
     {"strength", "", 0.5, 0.001, 1000, false, QT_TRANSLATE_NOOP("BrushBar", "How many times as strong as its material the fabric is to be: below 1 where it is worn, above where it is reinforced; 1 takes the paint off.")},
@@ -82,10 +80,10 @@ void BrushBar::layOut()
     mirrors->setChecked(m_brush.mirrors);
     connect(mirrors, &QCheckBox::toggled, this, [this](bool on) { m_brush.mirrors = on; });
     for (std::size_t i = 0; i < paintedCount; ++i)
-        m_values.push_back(field(valueParameters[i], m_brush.values[i],
-                                 [this, i](double value) { m_brush.values[i] = value; }));
-    m_radius =
-        field(radiusParameter, m_brush.radius, [this](double value) { m_brush.radius = value; });
+        m_values.push_back(numberField(valueParameters[i], m_brush.values[i],
+                                       [this, i](double value) { m_brush.values[i] = value; }));
+    m_radius = numberField(radiusParameter, m_brush.radius,
+                           [this](double value) { m_brush.radius = value; });
 
     auto* row = new QHBoxLayout;
     row->addWidget(m_title);
@@ -104,20 +102,6 @@ void BrushBar::layOut()
     layout->setSpacing(4);
     layout->addLayout(row);
     layout->addWidget(m_hint);
-}
-
-// What cannot be read changes nothing.
-ParameterField* BrushBar::field(const Parameter& parameter, double value,
-                                const std::function<void(double)>& take)
-{
-    auto* number = new ParameterField(parameter);
-    number->setValue(value);
-    number->setMaximumWidth(brushFieldWidth);
-    connect(number, &ParameterField::changed, this, [number, take] {
-        if (number->isInRange())
-            take(number->value());
-    });
-    return number;
 }
 
 void BrushBar::choose(bool isOn)

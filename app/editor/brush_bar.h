@@ -12,7 +12,6 @@
 
 #include "shaping/brush.h"
 
-#include <functional>
 #include <vector>
 
 class QAction;
@@ -24,8 +23,6 @@ namespace ripstop {
 
 class Actions;
 class Document;
-class ParameterField;
-struct Parameter;
 
 class BrushBar final : public ViewBar
 {
@@ -41,8 +38,6 @@ private:
     void startOver();
     void choose(bool isOn);
     void showPainted();
-    ParameterField* field(const Parameter& parameter, double value,
-                          const std::function<void(double)>& take);
 
     Document& m_document;
     Brush& m_brush;

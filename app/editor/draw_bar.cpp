@@ -22,8 +22,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int fieldWidth = 110; // pixels
-
 // clang-format off
 constexpr Parameter gridParameter{"grid", "m", 0.1, 0, 100, false, "Places snap to a grid of this step in the plane, unless Ctrl is held; 0 is none."};
 constexpr Parameter massParameter{"mass", "kg", 0.01, 0, 1e3, false, "Of each new particle; of a whole line that has several segments."};
@@ -127,17 +125,11 @@ void DrawBar::layOut()
     layout->addLayout(where);
 }
 
-// The field stands behind its name. What cannot be read changes nothing.
+// The field stands behind its name.
 QWidget* DrawBar::field(const Parameter& parameter, double value,
                         const std::function<void(double)>& take)
 {
-    auto* number = new ParameterField(parameter);
-    number->setValue(value);
-    number->setMaximumWidth(fieldWidth);
-    connect(number, &ParameterField::changed, this, [number, take] {
-        if (number->isInRange())
-            take(number->value());
-    });
+    ParameterField* number = numberField(parameter, value, take);
     auto* label = new QLabel(ParameterField::label(parameter));
     label->setBuddy(number);
     auto* row = new QWidget;

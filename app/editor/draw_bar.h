@@ -22,9 +22,6 @@ namespace ripstop {
 
 class Actions;
 class Document;
-class ParameterField;
-struct Parameter;
-class Viewport;
 
 class DrawBar final : public ViewBar
 {

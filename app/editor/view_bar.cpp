@@ -1,5 +1,6 @@
 #include "editor/view_bar.h"
 
+#include "start/parameter_field.h"
 #include "viewport/viewport.h"
 
 #include <QComboBox>
@@ -12,6 +13,7 @@ namespace ripstop {
 namespace {
 
 constexpr int fromLowerEdge = 10; // pixels, from the lower edge of the view
+constexpr int fieldWidth = 110;   // pixels
 
 } // namespace
 
@@ -45,6 +47,19 @@ QComboBox* ViewBar::chooser(const QString& name, const QString& help, const QStr
     box->setAccessibleName(name);
     connect(box, &QComboBox::activated, this, choose);
     return box;
+}
+
+ParameterField* ViewBar::numberField(const Parameter& parameter, double value,
+                                     const std::function<void(double)>& take)
+{
+    auto* number = new ParameterField(parameter);
+    number->setValue(value);
+    number->setMaximumWidth(fieldWidth);
+    connect(number, &ParameterField::changed, this, [number, take] {
+        if (number->isInRange())
+            take(number->value());
+    });
+    return number;
 }
 
 bool ViewBar::eventFilter(QObject* watched, QEvent* event)

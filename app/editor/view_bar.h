@@ -1,5 +1,5 @@
 // The base of the bars over the lower edge of the view: it keeps a bar in the middle of that edge
-// when the view is resized, and makes the lists of choices that they use.
+// when the view is resized, and makes the lists of choices and the fields of numbers that they use.
 //
 // A subclass fills the layout, shows and hides itself, and calls settle() after its contents have
 // changed. The view is the parent and owns it.
@@ -13,6 +13,8 @@ class QComboBox;
 
 namespace ripstop {
 
+class ParameterField;
+struct Parameter;
 class Viewport;
 
 class ViewBar : public QFrame
@@ -28,6 +30,10 @@ protected:
     void settle(); // takes its place, as large as what it shows now
     QComboBox* chooser(const QString& name, const QString& help, const QStringList& choices,
                        int chosen, const std::function<void(int)>& choose);
+
+    // What cannot be read, or is out of range, is not taken.
+    ParameterField* numberField(const Parameter& parameter, double value,
+                                const std::function<void(double)>& take);
 
     Viewport& m_viewport;
 };

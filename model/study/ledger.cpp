@@ -5,6 +5,7 @@
 #include "study/ledger.h"
 
 #include "base/hash_text.h"
+#include "base/program_version.h"
 #include "io/json_text.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
@@ -122,8 +123,8 @@ Result<FlightKeys> FlightKeys::of(const Scene& scene, const fs::path& controls,
                                   const FlightPlan& plan)
 {
     std::string common;
-    append(common, RIPSTOP_VERSION);
-    append(common, "accuracy"); // rows of before did not say whether it was held
+    append(common, programVersion()); // another build may fly otherwise
+    append(common, "accuracy");       // rows of before did not say whether it was held
     std::string design = sceneText(scene);
     append(common, design);
     for (const Entry& entry : scene.items)
@@ -230,9 +231,9 @@ Result<Ledger> Ledger::open(const fs::path& folder, const std::string& shard,
     if (descriptor < 0)
         return cannotWrite(file);
     Ledger ledger(file, descriptor);
-    std::string heading = "\n{\"program\":\"Ripstop " RIPSTOP_VERSION "\",\"design\":\"" + design
-                          + "\",\"measures\":[";        // ends
-    for (std::size_t i = 0; i < headings.size(); ++i) { // what a killed process began
+    std::string heading = "\n{\"program\":\"Ripstop " + programVersion() + "\",\"design\":\""
+                          + design + "\",\"measures\":["; // ends
+    for (std::size_t i = 0; i < headings.size(); ++i) {   // what a killed process began
         heading += i ? "," : "";
         appendQuoted(heading, headings[i]);
     }

@@ -3,6 +3,7 @@
 
 #ifdef RIPSTOP_HAS_SQLITE
 
+#include "base/program_version.h"
 #include "io/csv.h"
 #include "io/whole_file.h"
 #include "study/study_table.h"
@@ -93,7 +94,7 @@ bool fill(sqlite3* database, const OpenedStudy& opened, const StudyFlights& flig
         isText.push_back(column == "hash" || column == "stopped" || column == "accuracy");
     const Study& study = opened.study;
     const std::vector<Texts> about{
-        {"program", "Ripstop " RIPSTOP_VERSION},
+        {"program", "Ripstop " + programVersion()},
         {"scene", study.scene},
         {"seconds", std::to_string(study.seconds)},
         {"plan", std::string(choiceNames<StudyPlan::Kind>[std::size_t(study.plan.kind)])},

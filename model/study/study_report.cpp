@@ -1,6 +1,7 @@
 // studyReport() gathers blocks, which a printer for each format writes.
 #include "study/study_report.h"
 
+#include "base/program_version.h"
 #include "study/study_map.h"
 #include "study/study_search.h"
 
@@ -314,7 +315,7 @@ std::string studyReport(const OpenedStudy& opened, const StudyFlights& flights, 
                       study.title.empty() ? opened.file.filename().string() : study.title,
                       {}});
     blocks.push_back({ReportBlock::Kind::Text,
-                      "Ripstop " RIPSTOP_VERSION "; " + study.scene + ", each flight until "
+                      "Ripstop " + programVersion() + "; " + study.scene + ", each flight until "
                           + fourDigitText(study.seconds) + " s"
                           + (study.untilTear ? " or its first tear" : "") + "; plan "
                           + std::string(choiceNames<StudyPlan::Kind>[std::size_t(study.plan.kind)])

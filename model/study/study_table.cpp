@@ -1,6 +1,7 @@
 // Cells are made as texts, which the CSV joins and the database takes apart into numbers.
 #include "study/study_table.h"
 
+#include "base/program_version.h"
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "study/study_search.h"
@@ -76,7 +77,8 @@ StudyTableRows studyTableRows(const OpenedStudy& opened, const StudyFlights& fli
 
 std::string studyTable(const OpenedStudy& opened, const StudyFlights& flights)
 {
-    std::string text = "# Ripstop " RIPSTOP_VERSION "; " + opened.study.scene + "; each until ";
+    std::string text =
+        "# Ripstop " + programVersion() + "; " + opened.study.scene + "; each until ";
     appendNumber(text, opened.plan.seconds);
     text += opened.plan.untilTear ? " s or its first tear\n" : " s\n";
     const StudyTableRows table = studyTableRows(opened, flights);

@@ -3996,11 +3996,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="language_rows.cpp"/>
-        <source>Lan&amp;guage</source>
-        <translation>Lan&amp;gue</translation>
-    </message>
-    <message>
-        <location filename="language_rows.cpp"/>
         <source>The language is kept, and heard when Ripstop starts the next time.</source>
         <translation>La langue est retenue, et parlée dès le prochain démarrage de Ripstop.</translation>
     </message>
@@ -14889,11 +14884,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="theme_rows.cpp"/>
         <source>Reset la&amp;yout</source>
         <translation>Rétablir la disposi&amp;tion</translation>
-    </message>
-    <message>
-        <location filename="theme_rows.cpp"/>
-        <source>T&amp;heme</source>
-        <translation>T&amp;hème</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
