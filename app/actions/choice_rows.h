@@ -8,7 +8,7 @@
 
 namespace ripstop {
 
-struct Choice
+struct KeptChoice
 {
     const char* action;
     const char* name;
@@ -17,7 +17,7 @@ struct Choice
 
 // A row for each, below `menu`, in their order; `kept` is the one that holds now. The name of the
 // group is that of MenuRow.
-inline MenuRows choiceRows(const char* menu, const char* group, std::span<const Choice> choices,
+inline MenuRows choiceRows(const char* menu, const char* group, std::span<const KeptChoice> choices,
                            std::size_t kept, const std::function<void(std::size_t)>& choose)
 {
     MenuRows rows;

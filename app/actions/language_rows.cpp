@@ -12,7 +12,7 @@ namespace ripstop {
 namespace {
 
 // In the order of Language: each by its own name, System in the language of the window.
-constexpr std::array<Choice, 3> choices{{
+constexpr std::array<KeptChoice, 3> choices{{
     {"languageSystem", QT_TRANSLATE_NOOP("Actions", "&System"),
      QT_TRANSLATE_NOOP("Actions", "The language of the desktop, from the next start on.")},
     {"languageEnglish", "&English",

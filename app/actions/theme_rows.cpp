@@ -11,7 +11,7 @@ namespace ripstop {
 namespace {
 
 // In the order of ThemeChoice.
-constexpr std::array<Choice, 3> choices{{
+constexpr std::array<KeptChoice, 3> choices{{
     {"themeSystem", QT_TRANSLATE_NOOP("Actions", "&System"),
      QT_TRANSLATE_NOOP("Actions", "Light or dark, as the desktop is.")},
     {"themeLight", QT_TRANSLATE_NOOP("Actions", "&Light"),

@@ -99,6 +99,8 @@ public:
         std::vector<QAction*> silent;
         for (QAction* action : m_shop.window.actions().all()) {
             bool opened = false;
+            const auto* group = action->actionGroup();
+            QAction* before = group ? group->checkedAction() : nullptr;
             for (const std::vector<Id>& ids : selections) {
                 restore();
                 m_shop.selection.set(ids);
@@ -110,6 +112,8 @@ public:
             }
             if (!opened)
                 silent.push_back(action);
+            if (before && before != action) // such as the theme, which all that follows has
+                before->trigger();
         }
         restore();
         return silent;

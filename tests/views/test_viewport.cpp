@@ -215,26 +215,29 @@ private slots:
         View view(std::move(scene));
         view.viewport.setParticlesShown(false);
         QTRY_VERIFY(view.player.frame());
-        const double aspect = double(view.viewport.width()) / view.viewport.height();
-        const Eigen::Vector4d p =
-            view.viewport.camera().projection(aspect) * Vec3(-1, -1, 0).homogeneous();
-        const QPointF corner(0.5 * view.viewport.width() * (1.0 + p.x() / p.w()),
-                             0.5 * view.viewport.height() * (1.0 - p.y() / p.w()));
-        QCOMPARE(view.viewport.pick(corner), Id{2});
-        QCOMPARE(view.viewport.pick(corner + QPointF(3, -1)), Id{2});
-        QCOMPARE(view.viewport.pick(corner + QPointF(30, -10)), Id{5});
+        // Where it is now: a window that is shown late is laid out anew, and the camera with it.
+        const auto corner = [&] {
+            const double aspect = double(view.viewport.width()) / view.viewport.height();
+            const Eigen::Vector4d p =
+                view.viewport.camera().projection(aspect) * Vec3(-1, -1, 0).homogeneous();
+            return QPointF(0.5 * view.viewport.width() * (1.0 + p.x() / p.w()),
+                           0.5 * view.viewport.height() * (1.0 - p.y() / p.w()));
+        };
+        QCOMPARE(view.viewport.pick(corner()), Id{2});
+        QCOMPARE(view.viewport.pick(corner() + QPointF(3, -1)), Id{2});
+        QCOMPARE(view.viewport.pick(corner() + QPointF(30, -10)), Id{5});
         QCOMPARE(view.viewport.pick({200, 160}), Id{5});
-        const QPointF near = corner + QPointF(2, -1);
-        QMouseEvent move(QEvent::MouseMove, near, view.viewport.mapToGlobal(near), Qt::NoButton,
-                         Qt::NoButton, Qt::NoModifier);
-        // A window that is shown late hears that the real mouse is elsewhere: it moves until then.
+        const auto near = [&] { return corner() + QPointF(2, -1); };
+        // It also hears late that the real mouse is elsewhere: this one moves until then.
         const auto hovered = [&] {
+            QMouseEvent move(QEvent::MouseMove, near(), view.viewport.mapToGlobal(near()),
+                             Qt::NoButton, Qt::NoButton, Qt::NoModifier);
             QApplication::sendEvent(&view.viewport, &move);
             QTest::qWait(50); // longer than from a move to a look
             return view.viewport.pointing().hovered();
         };
         QTRY_COMPARE(hovered(), Id{2}); // what a click takes
-        QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, near.toPoint());
+        QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, near().toPoint());
         QCOMPARE(view.selection.ids(), std::vector{Id{2}});
     }
 
