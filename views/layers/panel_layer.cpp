@@ -25,7 +25,6 @@ PanelLayer::PanelLayer()
     m_cloth->RepeatOn();
     m_cloth->MipmapOn();
     m_cloth->InterpolateOn();
-    m_cloth->SetMaximumAnisotropicFiltering(8.0F);
 
     vtkProperty& property = *m_actor->GetProperty();
     property.SetInterpolationToPhong();
@@ -33,6 +32,14 @@ PanelLayer::PanelLayer()
 }
 
 void PanelLayer::addTo(vtkRenderer& renderer) { renderer.AddActor(m_actor); }
+
+// llvmpipe of Mesa 22 walks over every texel below a pixel, of which there is no end where a panel
+// is seen on edge: one picture could take minutes.
+void PanelLayer::setSoftware(bool isSoftware)
+{
+    constexpr float onCard = 8.0F;
+    m_cloth->SetMaximumAnisotropicFiltering(isSoftware ? 1.0F : onCard);
+}
 
 void PanelLayer::rebuild(const Picture& picture)
 {

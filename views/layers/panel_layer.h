@@ -25,6 +25,9 @@ public:
     void rebuild(const Picture& picture) override;
     void update(const Picture& picture) override;
 
+    // Whether OpenGL runs in software, where cloth that is seen at a slant is not sharpened.
+    void setSoftware(bool isSoftware);
+
     vtkPolyData& mesh() { return *m_mesh.Get(); }
 
 private:

@@ -96,7 +96,7 @@ void VtkWidget::initializeGL()
 {
     m_window->SetReadyForRendering(true);
     m_window->OpenGLInitContext();
-    m_isSlow = drawsInSoftware(*context()->functions());
+    m_isSoftware = drawsInSoftware(*context()->functions());
     m_isOld = true;
     m_contextDies =
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release);
@@ -112,7 +112,7 @@ void VtkWidget::resizeGL(int width, int height)
 void VtkWidget::renderSoon()
 {
     m_isOld = true;
-    m_isFine = !m_isSlow;
+    m_isFine = !m_isSoftware;
     update();
 }
 

@@ -26,6 +26,9 @@ public:
 
     vtkRenderWindow& window() { return *m_window.Get(); }
 
+    // Known from the first picture on.
+    bool isSoftware() const { return m_isSoftware; }
+
     // What is to be seen has changed: a new picture, soon. A mere update() shows the last one
     // again, as Qt asks for whenever something above this widget is painted.
     void renderSoon();
@@ -51,10 +54,10 @@ private:
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     QMetaObject::Connection m_contextDies;
-    bool m_isOld = true;   // the last picture is out of date
-    bool m_isFine = true;  // the picture has smooth edges
-    bool m_isSlow = false; // OpenGL runs in software, so each sample costs
-    QTimer m_still;        // runs out when the picture has not changed for a while
+    bool m_isOld = true;       // the last picture is out of date
+    bool m_isFine = true;      // the picture has smooth edges
+    bool m_isSoftware = false; // OpenGL runs in software, so each sample costs
+    QTimer m_still;            // runs out when the picture has not changed for a while
 };
 
 } // namespace ripstop
