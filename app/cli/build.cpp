@@ -45,14 +45,16 @@ std::vector<std::string> idleOnes(const Builder& builder, const Parameters& give
         return one;
     };
     const Scene plain = withoutParameters(scene);
-    const Parameters design = newDesign(builder, given);
     std::vector<std::string> idle;
     for (const auto& [key, value] : given) {
         Parameters others = given;
         others.erase(key);
         others = newDesign(builder, others);
-        if (others == design)
-            continue; // it was given what it has anyway
+        const auto row = std::ranges::find(builder.parameters, key, &Parameter::key);
+        const auto usual = others.find(key);
+        if (row == builder.parameters.end()
+            || value == (usual != others.end() ? usual->second : row->initial))
+            continue; // it was given what it has anyway, or is a number of a table
         const Result<Scene> other = build(builder, others);
         if (other && withoutParameters(*other) == plain)
             idle.push_back(key);

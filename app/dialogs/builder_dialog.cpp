@@ -132,11 +132,14 @@ void BuilderDialog::layOut()
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_buttons->button(QDialogButtonBox::Ok)
-        ->setText(m_scene    ? tr("Change")
-                  : m_ground ? tr("Insert")
-                             : tr("Build"));
+    QPushButton* build = m_buttons->button(QDialogButtonBox::Ok);
+    build->setText(m_scene ? tr("Change") : m_ground ? tr("Insert") : tr("Build"));
     QPushButton* defaults = m_buttons->button(QDialogButtonBox::RestoreDefaults);
+    // Enter must not undo what was typed: Qt would take the first of the row while there is
+    // nothing to build yet.
+    defaults->setAutoDefault(false);
+    m_ideal->setAutoDefault(false);
+    build->setDefault(true);
     defaults->setText(tr("Defaults"));
     defaults->setToolTip(tr("Sets every parameter to what it was at first."));
     m_ideal->setObjectName(QStringLiteral("ideal"));

@@ -18,6 +18,7 @@
 #include "editor/status_line.h"
 #include "editor/tool_bars.h"
 #include "editor/transform_bar.h"
+#include "editor/wheel_guard.h"
 #include "editor/window_layout.h"
 #include "editor/window_tour.h"
 #include "files/arrivals.h"
@@ -148,6 +149,7 @@ void MainWindow::buildBarsOfView()
 void MainWindow::buildInputs()
 {
     new FocusReturn(*m_viewport, this);
+    new WheelGuard(this);
     auto* keys = new ControlKeys(m_document, m_player, this);
     keys->spare(&m_docks->panel<Timeline>().strip());
     qApp->installEventFilter(keys);

@@ -62,6 +62,12 @@ constexpr std::array table{
     QuantityRow{Quantity::Formula,         "", Of::Probes, 1, "A number made of what other probes read."},
     QuantityRow{Quantity::StepsPerSecond,  "1/s", Of::Whole, 1, "Time steps for each second of the clock, lately: only while it runs in the window, and nothing in files."},
     QuantityRow{Quantity::Margin,          "", Of::Links, 1, "Load over strength, of the link or panel that is nearest to breaking: 1 breaks. Strength is that of the material times its joint efficiency over the safety factor of the scene."},
+    QuantityRow{Quantity::FabricStress,    "N/m", Of::Panels, 1, "Pull per width of fabric, the largest of all directions and places: of elastic panels their principal tension, of threads their tension over their width."},
+    QuantityRow{Quantity::MeanStress,      "N/m", Of::Panels, 1, "Largest principal tension of elastic panels, the mean by their area at rest."},
+    QuantityRow{Quantity::WarpStress,      "N/m", Of::Panels, 1, "Pull of the warp threads of elastic panels per width, the mean by their area at rest."},
+    QuantityRow{Quantity::WeftStress,      "N/m", Of::Panels, 1, "Pull of the weft threads of elastic panels per width, the mean by their area at rest."},
+    QuantityRow{Quantity::WrinkledShare,   "", Of::Panels, 1, "Share of the area of elastic panels that is wrinkled or slack."},
+    QuantityRow{Quantity::BendingMoment,   "N m", Of::Links, 1, "Of spars, where two links meet; the largest where there are several places."},
 };
 // clang-format on
 

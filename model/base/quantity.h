@@ -63,12 +63,18 @@ enum class Quantity {
     EnergyResidual,
     Formula,
     StepsPerSecond, // of the clock, while it runs in the window
-    Margin          // load over strength
+    Margin,         // load over strength
+    FabricStress,   // the largest of the target
+    MeanStress,     // by flat area, as those of the warp and the weft
+    WarpStress,
+    WeftStress,
+    WrinkledShare, // of the flat area
+    BendingMoment
 };
 
 // clang-format off
 template <>
-inline constexpr std::array<std::string_view, 53> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 59> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
@@ -79,7 +85,8 @@ inline constexpr std::array<std::string_view, 53> choiceNames<Quantity>{
     "pressure_x",       "pressure_y",     "pressure_z",       "angle_of_attack", "pitch",
     "roll",             "heading",        "momentum",         "energy_change",
     "work_of_air",      "work_of_hands",  "work_of_damping",  "work_of_contact", "work_of_tearing",
-    "energy_residual",  "formula",        "steps_per_second", "margin"};
+    "energy_residual",  "formula",        "steps_per_second", "margin",           "fabric_stress",
+    "mean_stress",      "warp_stress",    "weft_stress",      "wrinkled_share", "bending_moment"};
 // clang-format on
 
 struct QuantityRow

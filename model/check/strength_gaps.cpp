@@ -12,23 +12,43 @@ bool lacksStrength(const Material& material, const Use& made)
            || (isFabric && !material.warpStrength && !material.weftStrength);
 }
 
+bool outlastsStrength(const Material& material, const Use& made)
+{
+    const bool isFabric = made.threads > 0 || made.elasticPanels > 0;
+    const bool isStrongLine = material.lineStrength || material.breakingMoment;
+    const bool isStrongFabric = material.warpStrength || material.weftStrength;
+    return material.tearRule == TearRule::Never
+           && ((made.lines > 0 && isStrongLine) || (isFabric && isStrongFabric));
+}
+
+// In the order of the scene.
+std::vector<Id> usedMaterials(const Scene& scene, const Usage& usage,
+                              bool (*isMeant)(const Material&, const Use&))
+{
+    std::vector<Id> meant;
+    for (const Entry& entry : scene.items)
+        if (const auto* material = std::get_if<Material>(&entry.item))
+            if (const auto made = usage.ofMaterial.find(entry.id);
+                made != usage.ofMaterial.end() && isMeant(*material, made->second))
+                meant.push_back(entry.id);
+    return meant;
+}
+
 } // namespace
 
 std::vector<Id> materialsWithoutStrength(const Scene& scene)
 {
     const Usage usage = usageOf(scene);
-    const auto lacks = [&](Id id, const Material& material) {
-        const auto made = usage.ofMaterial.find(id);
-        return made != usage.ofMaterial.end() && lacksStrength(material, made->second);
-    };
-    std::vector<Id> without;
-    for (const Entry& entry : scene.items)
-        if (const auto* material = std::get_if<Material>(&entry.item);
-            material && lacks(entry.id, *material))
-            without.push_back(entry.id);
-    if (lacks(noId, Material()))
+    std::vector<Id> without = usedMaterials(scene, usage, lacksStrength);
+    const auto bare = usage.ofMaterial.find(noId);
+    if (bare != usage.ofMaterial.end() && lacksStrength(Material(), bare->second))
         without.push_back(noId);
     return without;
+}
+
+std::vector<Id> materialsThatNeverTear(const Scene& scene)
+{
+    return usedMaterials(scene, usageOf(scene), outlastsStrength);
 }
 
 } // namespace ripstop

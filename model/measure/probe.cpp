@@ -2,13 +2,14 @@
 //
 // The first functions of Readings compute strains, tensions, loads and energies when they are first
 // asked for, as several probes may share them. value() then goes by the quantity: simple ones are
-// read here, those of motion, attitude and wings in the files of these names. A formula and the
-// steps per second are not a number here, as they need other probes and the clock.
+// read here, those of motion, attitude, structure and wings in the files of these names. A formula
+// and the steps per second are not a number here, as they need other probes and the clock.
 #include "measure/probe.h"
 
 #include "measure/attitude.h"
 #include "measure/diagnostics.h"
 #include "measure/motion.h"
+#include "measure/structure.h"
 #include "measure/wing_forces.h"
 
 #include <algorithm>
@@ -99,6 +100,13 @@ const std::vector<Vec3>& Readings::panelLoad()
     if (!m_panelLoad)
         m_panelLoad = panelLoads(m_system, m_state);
     return *m_panelLoad;
+}
+
+const std::vector<PanelPull>& Readings::panelPull()
+{
+    if (!m_panelPull)
+        m_panelPull = panelPulls(m_system, m_state);
+    return *m_panelPull;
 }
 
 const Energies& Readings::energy()
@@ -277,6 +285,18 @@ double Readings::value(const ProbeSpec& probe)
         return angleOfAttack(probe, *this);
     case Quantity::Margin:
         return marginOf(probe, margin());
+    case Quantity::FabricStress:
+        return fabricStress(probe, *this);
+    case Quantity::MeanStress:
+        return meanOfPanels(probe, *this, &PanelPull::tension);
+    case Quantity::WarpStress:
+        return meanOfPanels(probe, *this, &PanelPull::warp);
+    case Quantity::WeftStress:
+        return meanOfPanels(probe, *this, &PanelPull::weft);
+    case Quantity::WrinkledShare:
+        return wrinkledShare(probe, *this);
+    case Quantity::BendingMoment:
+        return bendingMoment(probe, *this);
     case Quantity::Formula:
     case Quantity::StepsPerSecond:
         break; // known when the others are; of the clock, that the runner alone looks at

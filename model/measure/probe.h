@@ -28,9 +28,10 @@ public:
 
     const System& system() const { return m_system; }
     const State& state() const { return m_state; }
-    const std::vector<double>& strain();  // [links] 1
-    const std::vector<double>& tension(); // [links] N
-    const std::vector<Vec3>& panelLoad(); // [panels] N
+    const std::vector<double>& strain();       // [links] 1
+    const std::vector<double>& tension();      // [links] N
+    const std::vector<Vec3>& panelLoad();      // [panels] N
+    const std::vector<PanelPull>& panelPull(); // [panels], or empty where none carries a pull
     const Energies& energy();
     const Margins& margin();
 
@@ -51,6 +52,7 @@ private:
     std::optional<std::vector<double>> m_tension;
     std::optional<std::vector<Vec3>> m_panelLoad;
     std::optional<std::vector<Vec3>> m_lineDrag;
+    std::optional<std::vector<PanelPull>> m_panelPull;
     std::optional<Energies> m_energy;
     std::optional<Margins> m_margin;
 };

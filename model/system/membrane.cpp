@@ -61,6 +61,19 @@ Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& n
     return strain;
 }
 
+// N/m, the largest principal tension as a tensile test has it: times the stretch of the cloth along
+// it, and so per width of the flat cloth.
+double pullAlongMost(const Vec3& tension, const Vec3& threads)
+{
+    const double half = 0.5 * (tension[0] - tension[1]);
+    const double radius = std::sqrt(half * half + tension[2] * tension[2]);
+    const double cosine = radius > 0.0 ? half / radius : 0.0; // of twice its angle from the warp
+    const double sine = radius > 0.0 ? tension[2] / radius : 0.0;
+    const double along =
+        0.5 * ((1.0 + cosine) * threads[0] + (1.0 - cosine) * threads[1] + sine * threads[2]);
+    return stretchOf(along) * largestTension(tension);
+}
+
 } // namespace
 
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
@@ -81,7 +94,7 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
     return {true,
             now.state,
             largestStrain(threads),
-            largestTension(now.tension),
+            pullAlongMost(now.tension, threads),
             warp * now.tension[0],
             weft * now.tension[1],
             warp - 1.0,

@@ -23,6 +23,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSlider>
+#include <QWheelEvent>
 #include <QtTest>
 
 namespace ripstop::test_insert {
@@ -95,6 +96,58 @@ class TestInsert : public QObject
     Q_OBJECT
 
 private slots:
+    // Enter takes the number that was typed and leaves all others, and the dialog, as they are;
+    // also before there was time to build anything of it.
+    void enterKeepsWhatWasTyped()
+    {
+        BuilderDialog dialog(QStringLiteral("delta_kite"));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QApplication::setActiveWindow(&dialog);
+        auto* cloth = dialog.findChild<QWidget*>("cloth")->findChild<QComboBox*>();
+        cloth->setCurrentIndex(0);
+        QLineEdit* span = numberOf(dialog, "span");
+        span->setFocus();
+        type(span, "3");
+        QTest::keyClick(span, Qt::Key_Return);
+        QCOMPARE(span->text(), QStringLiteral("3"));
+        QCOMPARE(cloth->currentIndex(), 0);
+        QVERIFY(dialog.isVisible());
+        QTRY_VERIFY(okOf(dialog)->isEnabled());
+        QTest::keyClick(span, Qt::Key_Return);
+        QCOMPARE(span->text(), QStringLiteral("3"));
+        QVERIFY(dialog.isVisible());
+        QVERIFY(qobject_cast<QPushButton*>(okOf(dialog))->isDefault());
+    }
+
+    // Choices and sliders that pass under the wheel stay as they are; one that has the focus turns.
+    void scrollingChangesNothing()
+    {
+        Shop shop(built("cloth"));
+        BuilderDialog dialog(QStringLiteral("delta_kite"));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QApplication::setActiveWindow(&dialog);
+        const auto turn = [&](QWidget* at) {
+            const QPointF middle(at->rect().center());
+            QWheelEvent event(middle, at->mapToGlobal(middle), {}, QPoint(0, -120), Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(at, &event);
+        };
+        auto* spars = dialog.findChild<QWidget*>("spars")->findChild<QComboBox*>();
+        auto* slider = dialog.findChild<QWidget*>("span")->findChild<QSlider*>();
+        numberOf(dialog, "chord")->setFocus();
+        const int made = spars->currentIndex(), stands = slider->value();
+        turn(spars);
+        turn(slider);
+        QCOMPARE(spars->currentIndex(), made);
+        QCOMPARE(slider->value(), stands);
+        QVERIFY(spars->focusPolicy() != Qt::WheelFocus);
+        spars->setFocus();
+        turn(spars);
+        QCOMPARE(spars->currentIndex(), made + 1);
+    }
+
     // Whatever was looked at before: the camera stands before a person on squares of one metre.
     void aNewSceneHasAPersonToCompareWith()
     {

@@ -4,6 +4,7 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/margins.h"
+#include "measure/probe.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "registered_test.h"
@@ -78,6 +79,11 @@ Material line(std::optional<double> strength)
     return material;
 }
 
+void addProbe(Scene& scene, Quantity quantity)
+{
+    scene.items.push_back({takeId(scene), Probe{.quantity = quantity}});
+}
+
 void compareWithin(double value, double expected, double share)
 {
     QVERIFY2(std::abs(value - expected) <= share * std::abs(expected),
@@ -131,10 +137,12 @@ private slots:
         cloth.dampingTime = 0.02;
         cloth.warpStrength = 900.0;
         cloth.weftStrength = 600.0;
-        const Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, cloth,
-                          Link{.role = LinkRole::Thread, .width = 0.05});
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, cloth,
+                    Link{.role = LinkRole::Thread, .width = 0.05});
+        addProbe(chain.scene, Quantity::FabricStress);
         const auto frame = chain.after(2.0);
         compareWithin(frame->linkMargin[0], 2.0 * g / 0.05 / 600.0, 1e-3);
+        compareWithin(frame->probe[0], 2.0 * g / 0.05, 1e-3);
         QCOMPARE(frame->worstNow.all()[0].kind, LoadKind::Thread);
     }
 
@@ -154,6 +162,10 @@ private slots:
         QFETCH(double, grain);
         QFETCH(int, along);
         Strip made = strip({.across = along / 2, .along = along}, grain, 40.0);
+        for (const Quantity quantity :
+             {Quantity::FabricStress, Quantity::MeanStress, Quantity::WarpStress,
+              Quantity::WeftStress, Quantity::WrinkledShare, Quantity::BendingMoment})
+            addProbe(made.scene, quantity);
         made.cloth().warpStrength = 400.0;
         made.cloth().weftStrength = 250.0;
         made.cloth().jointEfficiency = 0.8;
@@ -165,6 +177,65 @@ private slots:
         for (const double margin : frame->panelMargin)
             compareWithin(margin, 40.0 / width / bears, 0.01);
         QCOMPARE(frame->worstNow.all()[0].kind, LoadKind::Cloth);
+
+        const std::vector<double>& read = frame->probe;
+        compareWithin(read[0], 40.0 / width, 0.01);
+        compareWithin(read[1], 40.0 / width, 0.01);
+        compareWithin(grain == 0.0 ? read[2] : read[3], 40.0 / width, 0.01);
+        QVERIFY(std::abs(grain == 0.0 ? read[3] : read[2]) < 0.01 * 40.0 / width);
+        QVERIFY(std::isnan(read[5])); // there is no spar
+    }
+
+    // A square whose one half is drawn by 2 % along the warp and whose other half, of three times
+    // the area, lies slack: means are by area at rest, and the largest is of the drawn one. Without
+    // a Poisson's ratio the threads pull with E t e times their stretch, 1.02, where
+    // e = (1.02^2 - 1) / 2 is Green's strain.
+    void meansAreByArea()
+    {
+        Scene scene;
+        const Id material = takeId(scene);
+        Material cloth;
+        cloth.membraneStiffness = 1000.0;
+        cloth.shearStiffness = 300.0;
+        cloth.poissonRatio = 0.0;
+        cloth.airLaw = AirLaw::None;
+        scene.items.push_back({material, cloth});
+        Part part;
+        const auto triangle = [&](const Vec3& at, double size) {
+            const std::array corners{at, Vec3(at + Vec3(size, 0, 0)), Vec3(at + Vec3(0, size, 0))};
+            Panel panel;
+            panel.id = takeId(scene);
+            panel.material = material;
+            for (const auto& [corner, place] :
+                 {std::pair{&Panel::a, 0}, {&Panel::b, 1}, {&Panel::c, 2}}) {
+                panel.*corner = takeId(scene);
+                part.particles.push_back({.id = panel.*corner,
+                                          .position = corners[std::size_t(place)],
+                                          .mass = 1.0,
+                                          .pinned = true});
+            }
+            part.panels.push_back(panel);
+        };
+        triangle(Vec3(0, 0, 0), 1.0);
+        triangle(Vec3(5, 0, 0), std::sqrt(3.0));
+        part.carrier = FabricKind::Panels;
+        scene.items.push_back({takeId(scene), part});
+        for (const Quantity quantity : {Quantity::FabricStress, Quantity::MeanStress,
+                                        Quantity::WarpStress, Quantity::WrinkledShare})
+            addProbe(scene, quantity);
+        const auto system = compile(scene);
+        QVERIFY(system);
+        State state = (*system)->start;
+        state.position[1].x() = 1.02;
+        state.position[5].y() = 1.0; // shorter than at rest
+        state.position[4].x() = 6.0;
+        Readings readings(**system, state);
+        const auto read = [&](std::size_t i) { return readings.value((*system)->probes[i]); };
+        const double pull = 1000.0 * 0.5 * (1.02 * 1.02 - 1.0) * 1.02;
+        compareWithin(read(0), pull, 1e-9);
+        compareWithin(read(1), 0.25 * pull, 1e-3); // the slack half holds a thousandth
+        compareWithin(read(2), 0.25 * pull, 1e-3);
+        compareWithin(read(3), 0.75, 1e-12);
     }
 
     // The moment of a cantilever at its clamp is that of the weights on it, F L of a load at its
@@ -192,6 +263,7 @@ private slots:
             places.push_back({reach * i / links, 0.0, 0.0});
         Chain chain(places, 2, 1e-3, spar);
         chain.row().particles.back().mass = load;
+        addProbe(chain.scene, Quantity::BendingMoment);
         const auto frame = chain.after(3.0);
         double moment = 0.0;
         for (const Particle& particle : chain.row().particles)
@@ -200,6 +272,7 @@ private slots:
         QCOMPARE(worst.kind, LoadKind::Spar);
         compareWithin(worst.load, moment, 0.01); // it sags by 3 %, which takes 0.1 % of its reach
         compareWithin(worst.margin(), moment / 12.0, 0.01);
+        QCOMPARE(frame->probe[0], worst.load);
         QVERIFY(worst.place.norm() < 1e-9); // the clamp
         compareWithin(frame->linkMargin[0], worst.margin(), 1e-12);
         compareWithin(frame->linkMargin[1], worst.margin(), 1e-12);
@@ -382,6 +455,22 @@ private slots:
         QCOMPARE(materialsWithoutStrength(made.scene), std::vector{made.material});
         made.cloth().weftStrength = 300.0;
         QVERIFY(materialsWithoutStrength(made.scene).empty());
+    }
+
+    // A strength by which nothing tears is named, too, where something has a use for it.
+    void whatNeverTearsIsNamed()
+    {
+        Strip made = strip({}, 0.0, 1.0);
+        QVERIFY(materialsThatNeverTear(made.scene).empty());
+        made.cloth().lineStrength = 300.0; // there is no line
+        QVERIFY(materialsThatNeverTear(made.scene).empty());
+        made.cloth().warpStrength = 300.0;
+        QCOMPARE(materialsThatNeverTear(made.scene), std::vector{made.material});
+        made.cloth().tearRule = TearRule::Strength;
+        QVERIFY(materialsThatNeverTear(made.scene).empty());
+
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, line(100.0));
+        QCOMPARE(materialsThatNeverTear(chain.scene), std::vector{chain.material});
     }
 
     void worstPlacesAreTheWorst()

@@ -63,6 +63,26 @@ private slots:
         QVERIFY(!button->isVisible());
     }
 
+    // What would hold beyond its strength is named, and a click lets it tear, as one step back.
+    void letsItTear()
+    {
+        Bench bench(hangingPair(40.0));
+        QTRY_VERIFY(bench.player.frame());
+        bench.player.playUntil(0.1);
+        auto* note = bench.panel.findChild<QLabel*>("untearable");
+        QTRY_VERIFY(note->isVisible());
+        QVERIFY2(note->text().startsWith("Never tears: dacron."), qPrintable(note->text()));
+        emit note->linkActivated(QStringLiteral("#"));
+        const auto rule = [&] {
+            return std::get<Material>(*findItem(bench.document.scene(), Id{5})).tearRule;
+        };
+        QCOMPARE(rule(), TearRule::Strength);
+        QTRY_VERIFY(!note->isVisible());
+        bench.document.history().undo();
+        QCOMPARE(rule(), TearRule::Never);
+        QTRY_VERIFY(note->isVisible());
+    }
+
     void listsAndLeadsThere()
     {
         Bench bench(hangingPair(40.0));

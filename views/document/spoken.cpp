@@ -119,10 +119,11 @@ bool isNothing(double value, std::string_view unit)
     return std::abs(value) < (unit == "%" ? 100.0 * nothing : nothing);
 }
 
-bool isStrain(Quantity quantity)
+bool isShare(Quantity quantity)
 {
     return quantity == Quantity::Strain || quantity == Quantity::MaxStrain
-           || quantity == Quantity::MeanStrain || quantity == Quantity::HighStrain;
+           || quantity == Quantity::MeanStrain || quantity == Quantity::HighStrain
+           || quantity == Quantity::WrinkledShare;
 }
 
 } // namespace
@@ -145,7 +146,7 @@ QString spokenText(double value, std::string_view unit, int digits)
 
 QString readingText(Quantity quantity, double value, std::string_view unit, int digits)
 {
-    return isStrain(quantity) ? spokenText(100.0 * value, "%", digits)
+    return isShare(quantity) ? spokenText(100.0 * value, "%", digits)
                               : spokenText(value, unit, digits);
 }
 

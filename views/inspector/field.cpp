@@ -20,7 +20,6 @@
 #include <QKeySequence>
 #include <QPlainTextEdit>
 #include <QToolButton>
-#include <QWheelEvent>
 
 namespace ripstop {
 namespace {
@@ -30,15 +29,6 @@ QString textOf(const Value& value)
     const std::string* text = std::get_if<std::string>(&value);
     return text ? QString::fromStdString(*text) : QString();
 }
-
-// Scrolling a form must not change the choices that pass under the mouse.
-class CalmComboBox final : public QComboBox
-{
-    void wheelEvent(QWheelEvent* event) override
-    {
-        hasFocus() ? QComboBox::wheelEvent(event) : event->ignore();
-    }
-};
 
 // An editor of several lines. It commits when the focus leaves, or by Ctrl+Enter.
 class NotesEdit final : public QPlainTextEdit
@@ -130,7 +120,7 @@ Field flagField(const FieldPlace& place)
 
 Field choiceField(const FieldPlace& place)
 {
-    auto* box = new CalmComboBox;
+    auto* box = new QComboBox;
     box->setFocusPolicy(Qt::StrongFocus);
     box->setPlaceholderText(mixedText());
     box->setMinimumContentsLength(5); // narrow docks have room for it

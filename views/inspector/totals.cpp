@@ -185,7 +185,13 @@ QString ofMaterials(const Scene& scene, const std::vector<Id>& ids)
         for (const Panel& row : part.panels)
             panels += isOne(row.material);
     });
-    return words("Used by %1, %2").arg(counted(Kind::Link, links), counted(Kind::Panel, panels));
+    QStringList users;
+    if (links > 0)
+        users << counted(Kind::Link, links);
+    if (panels > 0)
+        users << counted(Kind::Panel, panels);
+    return users.isEmpty() ? words("Used by nothing yet")
+                           : words("Used by %1").arg(users.join(QStringLiteral(", ")));
 }
 
 // The corners of many panels are found faster together than one by one.

@@ -8,6 +8,7 @@
 #include "document/selection.h"
 #include "loads/load_list.h"
 #include "run/has_margins.h"
+#include "scene/property.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -16,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -40,6 +42,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     , m_now(new LoadList(tr("Worst now"), tr("Worst places now")))
     , m_ofRun(new LoadList(tr("Worst so far"), tr("Worst places of the run")))
     , m_unjudged(new QLabel)
+    , m_untearable(new QLabel)
 {
     m_pages->addWidget(emptyPage());
     m_pages->addWidget(listPage());
@@ -60,6 +63,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     connect(&document, &Document::changed, this, edited);
     connect(m_materials, &QPushButton::clicked, this, &LoadPanel::selectUnjudged);
     connect(m_unjudged, &QLabel::linkActivated, this, &LoadPanel::selectUnjudged);
+    connect(m_untearable, &QLabel::linkActivated, this, &LoadPanel::letTear);
     for (LoadList* list : {m_now, m_ofRun})
         connect(list, &LoadList::chosen, this, &LoadPanel::choose);
     refresh();
@@ -92,17 +96,24 @@ QWidget* LoadPanel::listPage()
     lists->setChildrenCollapsible(false);
     lists->setStretchFactor(0, 5); // it has no times
     lists->setStretchFactor(1, 6);
-    m_unjudged->setWordWrap(true);
-    m_unjudged->setMargin(4);
-    m_unjudged->setTextFormat(Qt::RichText);
+    for (QLabel* note : {m_unjudged, m_untearable}) {
+        note->setWordWrap(true);
+        note->setMargin(4);
+        note->setTextFormat(Qt::RichText);
+        note->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    }
     m_unjudged->setToolTip(helpOfMaterials());
-    m_unjudged->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    m_untearable->setObjectName(QStringLiteral("untearable"));
+    m_untearable->setToolTip(
+        tr("Lets these materials tear by strength: cloth, lines and spars then "
+           "break where their margin is 1."));
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(lists, 1);
     layout->addWidget(m_unjudged);
+    layout->addWidget(m_untearable);
     return page;
 }
 
@@ -135,23 +146,48 @@ void LoadPanel::refresh()
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
     m_ofRun->showPlaces(m_document.scene(), frame->worstOfRun.all());
-    if (m_isEdited)
+    if (std::exchange(m_isEdited, false)) {
         showUnjudged();
+        showUntearable();
+    }
+}
+
+QString LoadPanel::namesOf(const std::vector<Id>& materials) const
+{
+    QStringList names;
+    for (const Id id : materials)
+        names << (id == noId ? tr("what has no material")
+                             : QString::fromStdString(nameOf(*findItem(m_document.scene(), id))));
+    return names.join(QStringLiteral(", ")).toHtmlEscaped();
 }
 
 // A list says nothing of what it does not judge, and must not seem to.
 void LoadPanel::showUnjudged()
 {
-    m_isEdited = false;
     const std::vector<Id> without = materialsWithoutStrength(m_document.scene());
-    QStringList names;
-    for (const Id id : without)
-        names << (id == noId ? tr("what has no material")
-                             : QString::fromStdString(nameOf(*findItem(m_document.scene(), id))));
     m_unjudged->setVisible(!without.empty());
     m_unjudged->setText(tr("Not judged, without a strength: %1")
-                            .arg(QStringLiteral("<a href=\"#\">%1</a>")
-                                     .arg(names.join(QStringLiteral(", ")).toHtmlEscaped())));
+                            .arg(QStringLiteral("<a href=\"#\">%1</a>").arg(namesOf(without))));
+}
+
+// A margin above 1 tears nothing by itself, which nobody expects who sees it.
+void LoadPanel::showUntearable()
+{
+    const std::vector<Id> holding = materialsThatNeverTear(m_document.scene());
+    m_untearable->setVisible(!holding.empty());
+    m_untearable->setText(
+        tr("Never tears: %1. %2")
+            .arg(namesOf(holding), QStringLiteral("<a href=\"#\">%1</a>")
+                                       .arg(tr("Let it tear by its strength").toHtmlEscaped())));
+}
+
+void LoadPanel::letTear()
+{
+    m_document.push(
+        {Message("Let it tear"),
+         {SetValues{&propertyOf<&Material::tearRule>(),
+                    materialsThatNeverTear(m_document.scene()),
+                    {std::string(choiceNames<TearRule>[std::size_t(TearRule::Strength)])}}}});
 }
 
 void LoadPanel::tellWhyNone(const Frame* frame)

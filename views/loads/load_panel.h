@@ -2,11 +2,12 @@
 // that is shown and of the run so far (laws/load_margin.h).
 //
 // A click selects a place and asks for it to come to the middle of the view. What carries a load
-// and has no strength is named below the lists; where nothing has one, the panel says how to give
-// one. It follows the player a few times a second, and only while it is seen. Belongs to the
-// window's thread.
+// and has no strength is named below the lists, and so is what has one but never tears, with a link
+// that lets it tear; where nothing has a strength, the panel says how to give one. It follows the
+// player a few times a second, and only while it is seen. Belongs to the window's thread.
 #pragma once
 
+#include "scene/scene.h"
 #include "simulation/frame.h"
 
 #include <QTimer>
@@ -48,6 +49,9 @@ private:
     void tellWhyNone(const Frame* frame);
     void showUnjudged();
     void selectUnjudged();
+    void showUntearable();
+    void letTear();
+    QString namesOf(const std::vector<Id>& materials) const;
 
     Document& m_document;
     Selection& m_selection;
@@ -59,6 +63,7 @@ private:
     LoadList* m_now;
     LoadList* m_ofRun;
     QLabel* m_unjudged;     // materials without a strength, below the lists
+    QLabel* m_untearable;   // materials that hold beyond theirs, likewise
     bool m_isEdited = true; // since those were found
 };
 

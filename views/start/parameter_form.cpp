@@ -1,9 +1,13 @@
+// Rows are made in the order of interest: what a design is first, its mesh last, under a heading for
+// each group. Values come and go by the keys of parameters; a form that is filled by its owner says
+// nothing of it.
 #include "start/parameter_form.h"
 
 #include "document/words.h"
 #include "start/parameter_field.h"
 
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 
@@ -57,6 +61,12 @@ ParameterForm::ParameterForm(std::span<const Parameter> parameters, QWidget* par
         m_fields.push_back(field);
         connect(field, &ParameterField::changed, this, &ParameterForm::changed);
     }
+}
+
+void ParameterForm::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+        QWidget::keyPressEvent(event);
 }
 
 Parameters ParameterForm::values() const

@@ -25,6 +25,10 @@ public:
     void setValues(const Parameters& values); // fields left out keep their values
     void restoreDefaults();
 
+protected:
+    // Enter in a field has taken its number, and is not for the buttons of a dialog.
+    void keyPressEvent(QKeyEvent* event) override;
+
 signals:
     void changed(); // by the user; setValues() and restoreDefaults() do not emit it
 
