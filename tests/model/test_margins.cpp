@@ -4,7 +4,6 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/margins.h"
-#include "measure/probe.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "registered_test.h"
@@ -184,58 +183,6 @@ private slots:
         compareWithin(grain == 0.0 ? read[2] : read[3], 40.0 / width, 0.01);
         QVERIFY(std::abs(grain == 0.0 ? read[3] : read[2]) < 0.01 * 40.0 / width);
         QVERIFY(std::isnan(read[5])); // there is no spar
-    }
-
-    // A square whose one half is drawn by 2 % along the warp and whose other half, of three times
-    // the area, lies slack: means are by area at rest, and the largest is of the drawn one. Without
-    // a Poisson's ratio the threads pull with E t e times their stretch, 1.02, where
-    // e = (1.02^2 - 1) / 2 is Green's strain.
-    void meansAreByArea()
-    {
-        Scene scene;
-        const Id material = takeId(scene);
-        Material cloth;
-        cloth.membraneStiffness = 1000.0;
-        cloth.shearStiffness = 300.0;
-        cloth.poissonRatio = 0.0;
-        cloth.airLaw = AirLaw::None;
-        scene.items.push_back({material, cloth});
-        Part part;
-        const auto triangle = [&](const Vec3& at, double size) {
-            const std::array corners{at, Vec3(at + Vec3(size, 0, 0)), Vec3(at + Vec3(0, size, 0))};
-            Panel panel;
-            panel.id = takeId(scene);
-            panel.material = material;
-            for (const auto& [corner, place] :
-                 {std::pair{&Panel::a, 0}, {&Panel::b, 1}, {&Panel::c, 2}}) {
-                panel.*corner = takeId(scene);
-                part.particles.push_back({.id = panel.*corner,
-                                          .position = corners[std::size_t(place)],
-                                          .mass = 1.0,
-                                          .pinned = true});
-            }
-            part.panels.push_back(panel);
-        };
-        triangle(Vec3(0, 0, 0), 1.0);
-        triangle(Vec3(5, 0, 0), std::sqrt(3.0));
-        part.carrier = FabricKind::Panels;
-        scene.items.push_back({takeId(scene), part});
-        for (const Quantity quantity : {Quantity::FabricStress, Quantity::MeanStress,
-                                        Quantity::WarpStress, Quantity::WrinkledShare})
-            addProbe(scene, quantity);
-        const auto system = compile(scene);
-        QVERIFY(system);
-        State state = (*system)->start;
-        state.position[1].x() = 1.02;
-        state.position[5].y() = 1.0; // shorter than at rest
-        state.position[4].x() = 6.0;
-        Readings readings(**system, state);
-        const auto read = [&](std::size_t i) { return readings.value((*system)->probes[i]); };
-        const double pull = 1000.0 * 0.5 * (1.02 * 1.02 - 1.0) * 1.02;
-        compareWithin(read(0), pull, 1e-9);
-        compareWithin(read(1), 0.25 * pull, 1e-3); // the slack half holds a thousandth
-        compareWithin(read(2), 0.25 * pull, 1e-3);
-        compareWithin(read(3), 0.75, 1e-12);
     }
 
     // The moment of a cantilever at its clamp is that of the weights on it, F L of a load at its
