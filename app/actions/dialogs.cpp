@@ -6,6 +6,7 @@
 #include "actions/preferences_dialog.h"
 #include "dialogs/certify_dialog.h"
 #include "dialogs/condition_dialog.h"
+#include "dialogs/design_difference_dialog.h"
 #include "dialogs/polar_dialog.h"
 #include "dialogs/result_page.h"
 #include "dialogs/rigidity_dialog.h"
@@ -101,6 +102,13 @@ void Dialogs::showRigidity()
     if (!m_rigidity)
         m_rigidity = new RigidityDialog(m_document, m_selection, m_viewport, &m_window);
     bringUp(*m_rigidity);
+}
+
+void Dialogs::showDifferences()
+{
+    if (!m_differences)
+        m_differences = new DesignDifferenceDialog(m_document, m_selection, m_viewport, &m_window);
+    bringUp(*m_differences);
 }
 
 void Dialogs::showSettle(Player& player, std::function<void()> adoptPose)

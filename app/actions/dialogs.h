@@ -17,6 +17,7 @@ namespace ripstop {
 class Actions;
 class CertifyDialog;
 class ConditionDialog;
+class DesignDifferenceDialog;
 class Document;
 class KeyMap;
 class Player;
@@ -42,6 +43,7 @@ public:
     void showCertify(Recordings& recordings); // which get the certificate
     void showCondition();
     void showRigidity();
+    void showDifferences(); // from the design as saved
     void showSettle(Player& player, std::function<void()> adoptPose);
 
 private:
@@ -49,12 +51,13 @@ private:
     Document& m_document;
     Selection& m_selection;
     Viewport& m_viewport;
-    QPointer<VerificationDialog> m_verification; // while it is open
-    QPointer<PolarDialog> m_polar;               // while it is open
-    QPointer<CertifyDialog> m_certify;           // while it is open
-    QPointer<SettleDialog> m_settle;             // while it is open
-    ConditionDialog* m_condition = nullptr;      // once it has been asked for
-    RigidityDialog* m_rigidity = nullptr;        // once it has been asked for
+    QPointer<VerificationDialog> m_verification;     // while it is open
+    QPointer<PolarDialog> m_polar;                   // while it is open
+    QPointer<CertifyDialog> m_certify;               // while it is open
+    QPointer<SettleDialog> m_settle;                 // while it is open
+    ConditionDialog* m_condition = nullptr;          // once it has been asked for
+    RigidityDialog* m_rigidity = nullptr;            // once it has been asked for
+    DesignDifferenceDialog* m_differences = nullptr; // once it has been asked for
 };
 
 } // namespace ripstop

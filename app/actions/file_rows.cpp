@@ -1,5 +1,6 @@
 #include "actions/menu_rows.h"
 
+#include "actions/dialogs.h"
 #include "actions/workbench.h"
 #include "files/arrivals.h"
 #include "files/files.h"
@@ -27,6 +28,7 @@ MenuRows fileRows(const Workbench& bench)
         {"&File", "save",       tr("&Save"),               "save",    QKeySequence::Save,   tr("Save the scene in its file."), [&files] { files.save(); }},
         {"&File", "saveAs",     tr("Save &as…"),           "save-as", QKeySequence("Ctrl+Shift+S"), tr("Save the scene in another file."), [&files] { files.saveAs(); }},
         {"&File", "saveTemplate", tr("Save as &template…"), nullptr, {},                   tr("Keep the design as one to begin new ones from."), [&files] { files.saveAsTemplate(); }},
+        {"&File", "compareDesign", tr("Compare &with…"),   "compare", {},                   tr("What the open design and another one, or the saved one, differ in."), [&dialogs = bench.dialogs] { dialogs.showDifferences(); }},
         line,
         {"&File", "openRun", tr("Open reco&rding…"), nullptr, QKeySequence("Ctrl+Alt+O"), tr("Look at a run that was saved, compare with it, or go on from it."), [&runFiles] { runFiles.browse(); }},
         {"&File", "saveRun", tr("Sa&ve recording…"), nullptr, QKeySequence("Ctrl+Alt+S"), tr("Save the run that the timeline shows, every step of it."), [&runFiles] { runFiles.save(); }},

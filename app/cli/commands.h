@@ -20,6 +20,7 @@ void addSweep(CLI::App& app, Command& chosen);
 void addStudy(CLI::App& app, Command& chosen);
 void addCertify(CLI::App& app, Command& chosen);
 void addCompare(CLI::App& app, Command& chosen);
+void addDiff(CLI::App& app, Command& chosen);
 void addExport(CLI::App& app, Command& chosen);
 void addBundle(CLI::App& app, Command& chosen);
 void addPolar(CLI::App& app, Command& chosen);

@@ -57,6 +57,7 @@ int call(int argc, char** argv)
     addStudy(app, chosen);
     addCertify(app, chosen);
     addCompare(app, chosen);
+    addDiff(app, chosen);
     addExport(app, chosen);
     addBundle(app, chosen);
     addPolar(app, chosen);

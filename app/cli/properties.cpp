@@ -7,6 +7,7 @@
 #include "scene/property.h"
 
 #include "cli/commands.h"
+#include "cli/json_values.h"
 #include "terminal/terminal.h"
 
 #include <cmath>
@@ -134,23 +135,6 @@ std::string manual()
         addKind(text, Kind(i));
     addQuantities(text);
     return text;
-}
-
-Json jsonOf(const Value& value)
-{
-    struct Converter
-    {
-        Json operator()(std::monostate) const { return nullptr; }
-        Json operator()(bool flag) const { return flag; }
-        Json operator()(int number) const { return number; }
-        Json operator()(double number) const { return number; }
-        Json operator()(const std::string& text) const { return text; }
-        Json operator()(const Vec3& v) const { return {v.x(), v.y(), v.z()}; }
-        Json operator()(Id id) const { return id == noId ? Json() : Json(std::uint32_t(id)); }
-        Json operator()(const std::vector<Id>&) const { return Json::array(); }
-        Json operator()(const NumberRows& rows) const { return rows; }
-    };
-    return std::visit(Converter{}, value);
 }
 
 Json table()

@@ -5,6 +5,7 @@
 #include "check/unknown_items.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
+#include "simulation/simulation.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

@@ -939,6 +939,101 @@
         <translation>La scène n’a pas de sondes, il n’y a donc rien à tracer dans %1 ; ajouter d’abord une sonde.</translation>
     </message>
     <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>&amp;Other design…</source>
+        <translation>&amp;Autre modèle…</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>&amp;Select all that differs</source>
+        <translation>&amp;Sélectionner tout ce qui diffère</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>A row selects in the view what it tells of.</source>
+        <translation>Une ligne sélectionne dans la vue ce dont elle parle.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>A scene, or a recording with the design that it began with.</source>
+        <translation>Une scène, ou un enregistrement avec le modèle par lequel il a commencé.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>As sa&amp;ved</source>
+        <translation>Tel qu’&amp;enregistré</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>Choose a design to compare with.</source>
+        <translation>Choisissez un modèle à comparer.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>Compare designs</source>
+        <translation>Comparer des modèles</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>Compare with</source>
+        <translation>Comparer avec</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>From %1: %2</source>
+        <translation>De %1 : %2</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>From the design as saved: %1</source>
+        <translation>Du modèle tel qu’enregistré : %1</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>Scenes and recordings (*.ripstop.json *.ripstop-run);;All files (*)</source>
+        <translation>Scènes et enregistrements (*.ripstop.json *.ripstop-run);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>Show the other one as a &amp;ghost</source>
+        <translation>Montrer l’autre en &amp;fantôme</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>The design as its file has it: what you have changed since.</source>
+        <translation>Le modèle tel que son fichier le contient : ce que vous avez changé depuis.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>The open design has no file yet.</source>
+        <translation>Le modèle ouvert n’a pas encore de fichier.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>The two say the same.</source>
+        <translation>Les deux disent la même chose.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>There is nothing to compare with.</source>
+        <translation>Il n’y a rien à comparer.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>They differ in %1 things.</source>
+        <translation>Ils diffèrent en %1 points.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>They differ in 1 thing.</source>
+        <translation>Ils diffèrent en 1 point.</translation>
+    </message>
+    <message>
+        <location filename="design_difference_dialog.cpp"/>
+        <source>To the open design: %1</source>
+        <translation>Au modèle ouvert : %1</translation>
+    </message>
+    <message>
         <location filename="design_rows.cpp"/>
         <source>&amp;Align</source>
         <translation>&amp;Aligner</translation>
@@ -2490,6 +2585,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
+        <source>Compare &amp;with…</source>
+        <translation>Comparer a&amp;vec…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
         <source>Keep the design as one to begin new ones from.</source>
         <translation>Garder cette scène comme point de départ de nouvelles.</translation>
     </message>
@@ -2577,6 +2677,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="file_rows.cpp"/>
         <source>The 3D view as a PNG or JPEG file.</source>
         <translation>La vue 3D dans un fichier PNG ou JPEG.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>What the open design and another one, or the saved one, differ in.</source>
+        <translation>En quoi le modèle ouvert diffère d’un autre, ou de celui qui est enregistré.</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -6444,6 +6549,56 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Avertissement : %1</translation>
     </message>
     <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1, %2 links</source>
+        <translation>%1, %2 liaisons</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1, %2 panels</source>
+        <translation>%1, %2 panneaux</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1, %2 particles</source>
+        <translation>%1, %2 particules</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1, link %2</source>
+        <translation>%1, liaison %2</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1, panel %2</source>
+        <translation>%1, panneau %2</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1, particle %2</source>
+        <translation>%1, particule %2</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1: %2 changed</source>
+        <translation>%1 : %2 a changé</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1: moved by up to %2 m</source>
+        <translation>%1 : déplacement jusqu’à %2 m</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
         <location filename="property_form.cpp"/>
         <source>%1&lt;br&gt;The default is %2.</source>
         <translation>%1&lt;br&gt;La valeur par défaut est %2.</translation>
@@ -7315,6 +7470,66 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="run_rows.cpp"/>
         <source>What is shown is no run of the design as it is now: mend its problems, or wait for the next step.</source>
         <translation>Ce qui est montré n’est pas une simulation du modèle tel qu’il est : corriger ses problèmes, ou attendre le pas suivant.</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>%1 (%2 particles, %3 links, %4 panels)</source>
+        <translation>%1 (%2 particules, %3 liaisons, %4 panneaux)</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>%1 added: %2</source>
+        <translation>%1 en plus : %2</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>%1 particles, %2 links, %3 panels, %4 kg</source>
+        <translation>%1 particules, %2 liaisons, %3 panneaux, %4 kg</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>%1 removed: %2</source>
+        <translation>%1 en moins : %2</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>%1: %2 added %3, removed %4</source>
+        <translation>%1 : %2 en plus %3, en moins %4</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>%1: changed by hand besides, %2 -&gt; %3 elements</source>
+        <translation>%1 : modifié à la main en outre, %2 -&gt; %3 éléments</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>What this version does not know of the two files differs</source>
+        <translation>Ce que cette version ne connaît pas des deux fichiers diffère</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>built</source>
+        <translation>construit</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>links</source>
+        <translation>liaisons</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>panels</source>
+        <translation>panneaux</translation>
+    </message>
+    <message>
+        <location filename="scene_difference.cpp"/>
+        <source>particles</source>
+        <translation>particules</translation>
     </message>
     <message>
         <location filename="scene_file.cpp"/>
