@@ -22,7 +22,7 @@ MenuRows fileRows(const Workbench& bench)
         {"&File", "new",        tr("&New scene"),          "new",     QKeySequence::New,    tr("An empty scene, to draw or import into."), [&files] { files.startNew(); }},
         {"&File", "build",      tr("New from &builder…"),  "builder", QKeySequence("Ctrl+B"), tr("A kite, glider, parachute, cloth or rope from its dimensions."), [&arrivals] { arrivals.startFrom({}); }},
         {"&File", "open",       tr("&Open…"),              "open",    QKeySequence::Open,   tr("Open a scene file."), [&files] { files.browse(); }},
-        {"&File", "import",     tr("&Import…"),            "import",  QKeySequence("Ctrl+Shift+I"), tr("Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF or Collada."), [&arrivals] { arrivals.importMesh(); }},
+        {"&File", "import",     tr("&Import…"),            "import",  QKeySequence("Ctrl+Shift+I"), tr("Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF, Collada, VTP or VTU."), [&arrivals] { arrivals.importMesh(); }},
         {"&File", "start",      tr("S&tart page"),         "start",   {},                   tr("Samples, recent files and builders."), bench.showStartPage},
         line,
         {"&File", "save",       tr("&Save"),               "save",    QKeySequence::Save,   tr("Save the scene in its file."), [&files] { files.save(); }},

@@ -1,8 +1,10 @@
-// ripstop-mesh-reader FILE: reads a mesh by assimp and writes it to standard output, in the form of
-// shapes/mesh_answer.h. Ripstop starts it for each file that it has no reader of its own for, so
-// that what a broken file does to the library ends this process and no other.
+// ripstop-mesh-reader FILE: reads a mesh by assimp, or by VTK where it is of that, and writes it to
+// standard output, in the form of shapes/mesh_answer.h. Ripstop starts it for each file that it has
+// no reader of its own for, so that what a broken file does to the library ends this process and no
+// other.
 #include "mesh_reader/assimp_reader.h"
 #include "mesh_reader/process_limits.h"
+#include "mesh_reader/vtk_reader.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -53,7 +55,9 @@ int main(int count, char** arguments)
     (void)noMemory();
     std::set_new_handler(giveUp);
     try {
-        say(answerOfAssimp(arguments[1], [](double share) { say(progressRecord(share)); }));
+        const auto tell = [](double share) { say(progressRecord(share)); };
+        const std::string file = arguments[1];
+        say(isVtkFile(file) ? answerOfVtk(file, tell) : answerOfAssimp(file, tell));
     } catch (const std::exception& error) {
         say(troubleRecord(ReadTrouble::Unreadable, error.what()));
     }

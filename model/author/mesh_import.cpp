@@ -16,9 +16,10 @@ namespace ripstop {
 namespace {
 
 constexpr double weldOverSize = 1e-5;
-constexpr double largest = 200.0;  // m
-constexpr double smallest = 0.02;  // m
-constexpr double bendShare = 0.02; // as the cloth paper's springs have
+constexpr double largest = 200.0;    // m
+constexpr double smallest = 0.02;    // m
+constexpr double bendShare = 0.02;   // as the cloth paper's springs have
+constexpr double lineDensity = 1e-3; // kg/m
 constexpr std::uint32_t mostIds = 0xfffffff0;
 
 struct Box
@@ -169,6 +170,16 @@ Id addBendMaterial(Scene& scratch, const MeshFabric& fabric, std::vector<std::st
     return addItem(scratch, std::move(bend));
 }
 
+// Inextensible, and as heavy as a thin cord; the file says neither.
+Id addLineMaterial(Scene& scratch, std::vector<std::string>& names)
+{
+    Material line;
+    line.name = freeName(names, "lines");
+    line.color = "#5b6770";
+    line.linearDensity = lineDensity;
+    return addItem(scratch, std::move(line));
+}
+
 } // namespace
 
 std::string_view upAxisName(UpAxis axis)
@@ -202,6 +213,8 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
         std::vector<std::uint8_t> isUsed(metres->points.size());
         for (const int corner : metres->corners)
             isUsed[std::size_t(corner)] = 1;
+        if (metres->objects.size() == 1) // repairing tells it
+            isUsed.assign(isUsed.size(), 1);
         for (std::size_t i = 0; i < isUsed.size(); ++i)
             if (!isUsed[i])
                 result.report.add(MeshFault::LooseVertices, metres->points[i]);
@@ -282,8 +295,13 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
     std::size_t triangles = 0;
     for (const RepairedMesh& surface : mesh.surfaces)
         triangles += surface.triangles.size();
-    // a triangle has at most 3 threads, 3 shear, 3 bend links, 3 particles and itself
-    if (13.0 * double(triangles) + std::uint32_t(surroundings.nextId) > mostIds)
+    std::size_t lines = 0;
+    for (const RepairedMesh& surface : mesh.surfaces)
+        lines += surface.mesh.lines.size();
+    // a triangle has at most 3 threads, 3 shear, 3 bend links, 3 particles and itself, a line has
+    // two particles and itself
+    if (13.0 * double(triangles) + 3.0 * double(lines) + std::uint32_t(surroundings.nextId)
+        > mostIds)
         return Failure{"The mesh has too many triangles; make it coarser in a mesh program."};
 
     std::vector<std::string> names = surroundings.names;
@@ -293,6 +311,9 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
     WeaveMaterials materials{addFabrics(scratch, mesh, fabric, *density, names), noId};
     if (weave.bend != LinkStyle::None)
         materials.bend = addBendMaterial(scratch, fabric, names);
+    if (lines > 0)
+        materials.line = addLineMaterial(scratch, names);
+    materials.lineDensity = lineDensity;
 
     MeshImport result;
     for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {

@@ -54,12 +54,13 @@ public:
             && (styles.bend == LinkStyle::None || addBends(styles.bend, materials.bend));
         if (!isDone || !goesOn(m_progress, 0.8))
             return false;
+        addLines(materials.line);
         for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
             const auto& [a, b, c] = m_mesh.triangles[i];
             m_network.panel(particle(a), particle(b), particle(c),
                             materials.of(materialOf(m_mesh.faceOf[i])));
         }
-        m_network.addFabricMass(density);
+        addMass(density, materials);
         return goesOn(m_progress, 1.0);
     }
 
@@ -118,14 +119,14 @@ private:
     }
 
     // Ties two points; false when they are tied already.
-    bool tie(int a, int b, LinkStyle style, Id material)
+    bool tie(int a, int b, LinkStyle style, Id material, Resists resists = Resists::Both)
     {
         const std::uint64_t key =
             std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
         if (a == b || !m_tied.insert(key).second)
             return false;
         if (style == LinkStyle::Rods)
-            m_network.rod(particle(a), particle(b), material);
+            m_network.rod(particle(a), particle(b), material, resists);
         else
             m_network.spring(particle(a), particle(b), material);
         return true;
@@ -194,6 +195,23 @@ private:
                 addBendsAt(int(i), beside[i], style, material);
         }
         return true;
+    }
+
+    void addLines(Id material)
+    {
+        for (const auto& [a, b] : m_mesh.mesh.lines)
+            tie(a, b, LinkStyle::Rods, material, Resists::Tension);
+    }
+
+    void addMass(double density, const WeaveMaterials& materials)
+    {
+        m_network.addFabricMass(density);
+        if (materials.line != noId)
+            m_network.addLinkMass(materials.line, materials.lineDensity);
+        const std::vector<double>& said = m_mesh.mesh.mass;
+        for (std::size_t i = 0; i < said.size(); ++i)
+            if (said[i] > 0.0)
+                m_network.row(particle(int(i))).mass = said[i];
     }
 
     void addBendsAt(int middle, const std::vector<int>& ends, LinkStyle style, Id material)

@@ -38,9 +38,11 @@ bool isCell(const PolygonMesh& mesh, std::size_t face);
 
 struct WeaveMaterials
 {
-    std::vector<Id> fabric; // of panels, structural and shear links, by the material of the file;
-                            // one id is for all
-    Id bend;                // of bend links
+    std::vector<Id> fabric;   // of panels, structural and shear links, by the material of the file;
+                              // one id is for all
+    Id bend;                  // of bend links
+    Id line{};                // of the lines of the file, where there are some
+    double lineDensity = 0.0; // kg/m, of those
 
     Id of(int fileMaterial) const
     {
@@ -48,7 +50,8 @@ struct WeaveMaterials
     }
 };
 
-// Adds particles, links and panels of the mesh, and the mass of the fabric (density in kg/m^2).
+// Adds particles, links and panels of the mesh, and the mass of the fabric (density in kg/m^2) and
+// of lines; where the file says the masses of points, they hold instead. Lines only pull.
 // Panels come in the order of the triangles. Answers false when cancelled.
 [[nodiscard]] bool weaveInto(Network& network, const RepairedMesh& mesh, const Weave& weave,
                              const WeaveMaterials& materials, double density,

@@ -80,7 +80,10 @@ private:
         std::vector<std::uint8_t> isUsed(mesh().points.size());
         for (const int corner : mesh().corners)
             isUsed[std::size_t(corner)] = 1;
+        for (const auto& [a, b] : mesh().lines)
+            isUsed[std::size_t(a)] = isUsed[std::size_t(b)] = 1;
         std::vector<Vec3> used;
+        std::vector<double> mass;
         std::vector<int> placeOf(mesh().points.size(), -1);
         for (std::size_t i = 0; i < isUsed.size(); ++i) {
             if (!isUsed[i]) {
@@ -89,14 +92,28 @@ private:
             }
             placeOf[i] = int(used.size());
             used.push_back(mesh().points[i]);
+            if (!mesh().mass.empty())
+                mass.push_back(mesh().mass[i]);
         }
         mesh().points = std::move(used);
+        mesh().mass = std::move(mass);
         const std::vector<int> target = welded(mesh().points, m_tolerance);
         for (std::size_t i = 0; i < target.size(); ++i)
             if (target[i] != int(i))
                 report().add(MeshFault::DuplicateVertices, mesh().points[i]);
+        const auto joined = [&](int point) {
+            return target[std::size_t(placeOf[std::size_t(point)])];
+        };
         for (int& corner : mesh().corners)
-            corner = target[std::size_t(placeOf[std::size_t(corner)])];
+            corner = joined(corner);
+        for (auto& [a, b] : mesh().lines) {
+            a = joined(a);
+            b = joined(b);
+        }
+        std::erase_if(mesh().lines, [](const auto& ends) { return ends[0] == ends[1]; });
+        for (std::size_t i = 0; i < mesh().mass.size(); ++i)
+            if (target[i] != int(i)) // what is joined weighs what it did
+                mesh().mass[std::size_t(target[i])] += mesh().mass[i];
     }
 
     // Keeps faces for which `keep(i, corners)` says so; it may take corners away.
@@ -183,15 +200,25 @@ private:
         std::vector<int> placeOf(mesh().points.size(), -1);
         for (const int corner : mesh().corners)
             placeOf[std::size_t(corner)] = 0;
+        for (const auto& [a, b] : mesh().lines)
+            placeOf[std::size_t(a)] = placeOf[std::size_t(b)] = 0;
         std::vector<Vec3> used;
+        std::vector<double> mass;
         for (std::size_t i = 0; i < placeOf.size(); ++i)
             if (placeOf[i] == 0) {
                 placeOf[i] = int(used.size());
                 used.push_back(mesh().points[i]);
+                if (!mesh().mass.empty())
+                    mass.push_back(mesh().mass[i]);
             }
         mesh().points = std::move(used);
+        mesh().mass = std::move(mass);
         for (int& corner : mesh().corners)
             corner = placeOf[std::size_t(corner)];
+        for (auto& [a, b] : mesh().lines) {
+            a = placeOf[std::size_t(a)];
+            b = placeOf[std::size_t(b)];
+        }
     }
 
     void windAlike()
@@ -244,6 +271,8 @@ Result<RepairedMesh> repaired(PolygonMesh mesh, double weldTolerance, const Prog
 
 std::vector<PolygonMesh> byObject(const PolygonMesh& mesh)
 {
+    if (mesh.objects.size() == 1)
+        return {mesh}; // with its lines, which formats of several objects have none of
     std::vector<PolygonMesh> meshes(mesh.objects.size());
     std::vector<std::vector<int>> facesOf(mesh.objects.size());
     for (std::size_t i = 0; i < mesh.faceCount(); ++i)

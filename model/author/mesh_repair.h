@@ -40,6 +40,7 @@ Result<RepairedMesh> repaired(PolygonMesh mesh, double weldTolerance,
                               const Progress& progress = {});
 
 // Each object as a mesh of its own, without what it does not use; those without faces are left out.
+// One that is alone stays as it is.
 std::vector<PolygonMesh> byObject(const PolygonMesh& mesh);
 
 } // namespace ripstop

@@ -214,6 +214,8 @@ void reportPieces(const PolygonMesh& mesh, MeshReport& report)
     for (std::size_t i = 0; i < mesh.faceCount(); ++i)
         for (const int corner : mesh.face(i))
             pieces.join(mesh.face(i)[0], corner);
+    for (const auto& [a, b] : mesh.lines)
+        pieces.join(a, b);
     for (int i = 0; i < int(mesh.points.size()); ++i)
         if (pieces.of(i) == i)
             report.add(MeshFault::SeveralShells, mesh.points[std::size_t(i)]);

@@ -1,62 +1,83 @@
 // One moment as VTK PolyData: links are lines, panels are triangles, in that order. Arrays are
-// base64 with their length in bytes before them, so the file is small, exact and still XML.
+// exact, and stand compressed behind the XML, as ParaView writes them by itself.
 #include "export/moment.h"
 
 #include "export/standing.h"
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <unordered_map>
+
+#include <zlib.h>
 
 namespace ripstop {
 namespace {
 
-// RFC 4648
-void appendBase64(std::string& text, std::string_view bytes)
+constexpr std::size_t blockSize = 1 << 20; // bytes, that are compressed together
+constexpr int speed = 3;                   // of zlib, 1 to 9; more takes longer for a hundredth
+
+// The XML of a file, and behind it the values of its arrays, each in compressed blocks
+// (vtkZLibDataCompressor): how many, their size, that of the last where it is smaller, and how long
+// each has become.
+class VtkText
 {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t begin = text.size();
-    text.resize(begin + (bytes.size() + 2) / 3 * 4);
-    char* out = text.data() + begin;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? unsigned(static_cast<unsigned char>(bytes[i + k])) : 0u;
-        };
-        const unsigned word = byte(0) << 16 | byte(1) << 8 | byte(2);
-        *out++ = digits[word >> 18];
-        *out++ = digits[word >> 12 & 63];
-        *out++ = i + 1 < bytes.size() ? digits[word >> 6 & 63] : '=';
-        *out++ = i + 2 < bytes.size() ? digits[word & 63] : '=';
+public:
+    void add(std::string_view xml) { m_xml += xml; }
+
+    // `type` is VTK's name of T; `components` is 1 or 3.
+    template <typename T>
+    void addArray(std::string_view name, std::string_view type, int components,
+                  const std::vector<T>& values, std::string_view more = "")
+    {
+        m_xml.append("<DataArray type=\"").append(type).append("\" Name=\"").append(name);
+        m_xml.append("\" NumberOfComponents=\"").append(std::to_string(components)).append("\" ");
+        m_xml.append(more).append("format=\"appended\" offset=\"");
+        m_xml.append(std::to_string(m_values.size())).append("\"/>\n");
+        append({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
     }
+
+    std::string whole() const
+    {
+        return m_xml + "<AppendedData encoding=\"raw\">\n_" + m_values
+               + "\n</AppendedData>\n</VTKFile>\n";
+    }
+
+private:
+    void append(std::string_view bytes)
+    {
+        const std::uint64_t blocks = (bytes.size() + blockSize - 1) / blockSize;
+        std::vector<std::uint64_t> head{blocks, blockSize, bytes.size() % blockSize};
+        std::string packed;
+        for (std::size_t i = 0; i < blocks; ++i)
+            head.push_back(appendBlock(packed, bytes.substr(i * blockSize, blockSize)));
+        m_values.append(reinterpret_cast<const char*>(head.data()),
+                        head.size() * sizeof(std::uint64_t));
+        m_values += packed;
+    }
+
+    static std::uint64_t appendBlock(std::string& packed, std::string_view bytes)
+    {
+        const std::size_t begin = packed.size();
+        uLongf size = compressBound(uLong(bytes.size()));
+        packed.resize(begin + size); // never too small
+        compress2(reinterpret_cast<Bytef*>(packed.data() + begin), &size,
+                  reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()), speed);
+        packed.resize(begin + size);
+        return size;
+    }
+
+    std::string m_xml;
+    std::string m_values;
+};
+
+void addNumbers(VtkText& text, std::string_view name, const std::vector<double>& values)
+{
+    text.addArray(name, "Float64", 1, values);
 }
 
-// `type` is VTK's name of T; `components` is 1 or 3.
-template <typename T>
-void addArray(std::string& text, std::string_view name, std::string_view type, int components,
-              const std::vector<T>& values, std::string_view more = "")
+void addVectors(VtkText& text, std::string_view name, const std::vector<Vec3>& values)
 {
-    const std::uint64_t size = values.size() * sizeof(T);
-    std::string bytes(sizeof size + size, '\0');
-    std::memcpy(bytes.data(), &size, sizeof size);
-    if (size > 0)
-        std::memcpy(bytes.data() + sizeof size, static_cast<const void*>(values.data()), size);
-    text.append("<DataArray type=\"").append(type).append("\" Name=\"").append(name);
-    text.append("\" NumberOfComponents=\"").append(std::to_string(components)).append("\" ");
-    text.append(more).append("format=\"binary\">");
-    appendBase64(text, bytes);
-    text += "</DataArray>\n";
-}
-
-void addNumbers(std::string& text, std::string_view name, const std::vector<double>& values)
-{
-    addArray(text, name, "Float64", 1, values);
-}
-
-void addVectors(std::string& text, std::string_view name, const std::vector<Vec3>& values)
-{
-    addArray(text, name, "Float64", 3, values);
+    text.addArray(name, "Float64", 3, values);
 }
 
 struct Cells
@@ -65,12 +86,12 @@ struct Cells
     std::vector<std::int64_t> offsets;
 };
 
-void addCells(std::string& text, std::string_view name, const Cells& cells)
+void addCells(VtkText& text, std::string_view name, const Cells& cells)
 {
-    text.append("<").append(name).append(">\n");
-    addArray(text, "connectivity", "Int64", 1, cells.connectivity);
-    addArray(text, "offsets", "Int64", 1, cells.offsets);
-    text.append("</").append(name).append(">\n");
+    text.add("<" + std::string(name) + ">\n");
+    text.addArray("connectivity", "Int64", 1, cells.connectivity);
+    text.addArray("offsets", "Int64", 1, cells.offsets);
+    text.add("</" + std::string(name) + ">\n");
 }
 
 // How many torn links end at each particle.
@@ -120,7 +141,7 @@ std::vector<double> panelStrains(const Frame& frame, const Standing& whole)
 
 // Of a scene in which panels carry the pull of a fabric: how hard, and how they lie. Links have
 // neither.
-void addPulls(std::string& text, const Frame& frame, const Standing& whole)
+void addPulls(VtkText& text, const Frame& frame, const Standing& whole)
 {
     if (frame.panelPull.empty())
         return;
@@ -133,10 +154,10 @@ void addPulls(std::string& text, const Frame& frame, const Standing& whole)
         state.push_back(pull.carries ? std::int64_t(pull.state) : none);
     }
     addNumbers(text, "panel tension (N/m)", tension);
-    addArray(text, "cloth (0 slack, 1 wrinkled, 2 taut)", "Int64", 1, state);
+    text.addArray("cloth (0 slack, 1 wrinkled, 2 taut)", "Int64", 1, state);
 }
 
-void addCellData(std::string& text, const Frame& frame, const Standing& whole)
+void addCellData(VtkText& text, const Frame& frame, const Standing& whole)
 {
     std::vector<double> strain;
     std::vector<double> tension;
@@ -154,13 +175,13 @@ void addCellData(std::string& text, const Frame& frame, const Standing& whole)
         load.push_back(frame.panelLoad[i]);
         id.push_back(frame.layout->panelId[i]);
     }
-    text += "<CellData Scalars=\"strain (1)\" Vectors=\"panel load (N)\">\n";
+    text.add("<CellData Scalars=\"strain (1)\" Vectors=\"panel load (N)\">\n");
     addNumbers(text, "strain (1)", strain);
     addNumbers(text, "tension (N)", tension);
     addVectors(text, "panel load (N)", load);
-    addArray(text, "id", "Int64", 1, id);
+    text.addArray("id", "Int64", 1, id);
     addPulls(text, frame, whole);
-    text += "</CellData>\n";
+    text.add("</CellData>\n");
 }
 
 } // namespace
@@ -183,27 +204,28 @@ Result<std::string> vtpMoment(const Frame& frame, const MeshAppearance&)
     const std::vector<std::int64_t> id(frame.layout->particleId.begin(),
                                        frame.layout->particleId.end());
 
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-                       "header_type=\"UInt64\" byte_order=\"";
-    text += std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-    text += "\">\n<PolyData>\n<FieldData>\n";
-    addArray(text, "TimeValue", "Float64", 1, std::vector{frame.time}, "NumberOfTuples=\"1\" ");
-    text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(frame.position.size())
-            + R"(" NumberOfVerts="0" NumberOfLines=")" + std::to_string(whole.links.size())
-            + R"(" NumberOfStrips="0" NumberOfPolys=")" + std::to_string(whole.panels.size())
-            + "\">\n<PointData Vectors=\"velocity (m/s)\">\n";
+    VtkText text;
+    text.add("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+             "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\" byte_order=\"");
+    text.add(std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+    text.add("\">\n<PolyData>\n<FieldData>\n");
+    text.addArray("TimeValue", "Float64", 1, std::vector{frame.time}, "NumberOfTuples=\"1\" ");
+    text.add("</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(frame.position.size())
+             + R"(" NumberOfVerts="0" NumberOfLines=")" + std::to_string(whole.links.size())
+             + R"(" NumberOfStrips="0" NumberOfPolys=")" + std::to_string(whole.panels.size())
+             + "\">\n<PointData Vectors=\"velocity (m/s)\">\n");
     addVectors(text, "velocity (m/s)", frame.velocity);
     addNumbers(text, "torn links (1)", tearsAt(frame));
-    addArray(text, "id", "Int64", 1, id);
-    text += "</PointData>\n";
+    text.addArray("id", "Int64", 1, id);
+    text.add("</PointData>\n");
     addCellData(text, frame, whole);
-    text += "<Points>\n";
+    text.add("<Points>\n");
     addVectors(text, "Points", frame.position);
-    text += "</Points>\n";
+    text.add("</Points>\n");
     addCells(text, "Lines", lines);
     addCells(text, "Polys", polys);
-    text += "</Piece>\n</PolyData>\n</VTKFile>\n";
-    return text;
+    text.add("</Piece>\n</PolyData>\n");
+    return text.whole();
 }
 
 } // namespace ripstop

@@ -17,8 +17,8 @@ template <>
 inline constexpr auto fieldsOf<PolygonMesh> =
     fields<PolygonMesh, &PolygonMesh::points, &PolygonMesh::first, &PolygonMesh::corners,
            &PolygonMesh::texture, &PolygonMesh::object, &PolygonMesh::material,
-           &PolygonMesh::objects, &PolygonMesh::materials, &PolygonMesh::unit,
-           &PolygonMesh::isUpright, &PolygonMesh::strayElements>;
+           &PolygonMesh::objects, &PolygonMesh::materials, &PolygonMesh::lines, &PolygonMesh::mass,
+           &PolygonMesh::unit, &PolygonMesh::isUpright, &PolygonMesh::strayElements>;
 
 namespace {
 
@@ -53,7 +53,13 @@ bool isSound(const PolygonMesh& mesh)
            && (mesh.texture.empty() || mesh.texture.size() == corners)
            && mesh.object.size() == mesh.faceCount() && mesh.material.size() == mesh.faceCount()
            && areBelow(mesh.object, mesh.objects.size())
-           && areBelow(mesh.material, mesh.materials.size());
+           && areBelow(mesh.material, mesh.materials.size())
+           && std::ranges::all_of(
+               mesh.lines,
+               [&](const auto& ends) {
+                   return areBelow({ends.begin(), ends.end()}, mesh.points.size());
+               })
+           && (mesh.mass.empty() || mesh.mass.size() == mesh.points.size());
 }
 
 } // namespace

@@ -19,8 +19,8 @@
 namespace ripstop {
 namespace {
 
-constexpr std::array<std::string_view, 7> extensions{"obj",  "stl", "ply", "off",
-                                                     "gltf", "glb", "dae"};
+constexpr std::array<std::string_view, 9> extensions{"obj", "stl", "ply", "off", "gltf",
+                                                     "glb", "dae", "vtp", "vtu"};
 
 std::string extensionOf(const std::filesystem::path& file)
 {

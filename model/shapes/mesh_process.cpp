@@ -147,10 +147,9 @@ Failure sentenceOf(const fs::path& file, ReadTrouble trouble, const std::string&
 {
     switch (trouble) {
     case ReadTrouble::UnknownFormat:
-        return Failure(
-            "The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or "
-            "Collada (.dae) file.",
-            file.string());
+        return Failure("The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB, "
+                       "Collada (.dae), VTP or VTU file.",
+                       file.string());
     case ReadTrouble::TooManyBytes:
         return Failure("The mesh %1 and the files that it names are larger than 1 GiB; make it "
                        "coarser in a mesh program first.",

@@ -2605,8 +2605,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
-        <source>Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF or Collada.</source>
-        <translation>Faire du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF ou Collada.</translation>
+        <source>Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF, Collada, VTP or VTU.</source>
+        <translation>Faire du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF, Collada, VTP ou VTU.</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
@@ -3470,8 +3470,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
-        <source>OBJ, STL, PLY, OFF, glTF, GLB or Collada.</source>
-        <translation>OBJ, STL, PLY, OFF, glTF, GLB ou Collada.</translation>
+        <source>OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP or VTU.</source>
+        <translation>OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP ou VTU.</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
@@ -5006,8 +5006,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_process.cpp"/>
-        <source>The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or Collada (.dae) file.</source>
-        <translation>Le maillage %1 n’a pas de format connu ; choisir un fichier OBJ, STL, PLY, OFF, glTF, GLB ou Collada (.dae).</translation>
+        <source>The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB, Collada (.dae), VTP or VTU file.</source>
+        <translation>Le maillage %1 n’a pas de format connu ; choisissez un fichier OBJ, STL, PLY, OFF, glTF, GLB, Collada (.dae), VTP ou VTU.</translation>
     </message>
     <message>
         <location filename="mesh_process.cpp"/>
@@ -8008,8 +8008,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="shape_file.cpp"/>
-        <source>Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off);;All files (*)</source>
-        <translation>Maillages (*.obj *.stl *.ply *.gltf *.glb *.dae *.off);;Tous les fichiers (*)</translation>
+        <source>Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off *.vtp *.vtu);;All files (*)</source>
+        <translation>Maillages (*.obj *.stl *.ply *.gltf *.glb *.dae *.off *.vtp *.vtu);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <location filename="shape_file.cpp"/>
@@ -8703,8 +8703,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="start_page.cpp"/>
-        <source>Fabric from a mesh: OBJ, STL, PLY, OFF, glTF or Collada</source>
-        <translation>Du tissu à partir d’un maillage : OBJ, STL, PLY, OFF, glTF ou Collada</translation>
+        <source>Fabric from a mesh: OBJ, STL, PLY, OFF, glTF, Collada, VTP or VTU</source>
+        <translation>Du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF, Collada, VTP ou VTU</translation>
     </message>
     <message>
         <location filename="start_page.cpp"/>

@@ -16,6 +16,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
+#include <QtEndian>
 #include <QtTest>
 
 #include <cmath>
@@ -97,27 +98,49 @@ struct Vtp
     QString error;
 };
 
+// The array that begins there: how many blocks, their size, that of a smaller last one, how long
+// each is when compressed, and the blocks.
 template <typename T>
-QVector<T> decoded(const QString& text, QString& error)
+QVector<T> decoded(const QByteArray& values, qsizetype offset, QString& error)
 {
-    const QByteArray bytes = QByteArray::fromBase64(text.trimmed().toLatin1());
-    quint64 size = 0;
-    if (bytes.size() < 8)
-        error = "no length";
-    else
-        std::memcpy(&size, bytes.data(), 8);
-    if (quint64(bytes.size()) != size + 8)
-        error = "wrong length";
-    QVector<T> values(qsizetype(size / sizeof(T)));
-    if (error.isEmpty() && size > 0)
-        std::memcpy(values.data(), bytes.data() + 8, size);
-    return values;
+    const auto wordAt = [&](qsizetype i) {
+        quint64 word = 0;
+        if (offset + 8 * (i + 1) <= values.size())
+            std::memcpy(&word, values.data() + offset + 8 * i, 8);
+        else
+            error = "cut off";
+        return word;
+    };
+    const auto blocks = qsizetype(wordAt(0));
+    QByteArray bytes;
+    qsizetype at = offset + 8 * (3 + blocks);
+    for (qsizetype i = 0; i < blocks; ++i) {
+        const bool isShort = i == blocks - 1 && wordAt(2) > 0;
+        const quint64 size = wordAt(isShort ? 2 : 1);
+        QByteArray packed(4, '\0'); // qUncompress() wants the size before the block
+        qToBigEndian(quint32(size), packed.data());
+        const auto length = qsizetype(wordAt(3 + i));
+        const QByteArray block = qUncompress(packed + values.mid(at, length));
+        if (quint64(block.size()) != size)
+            error = "wrong length";
+        bytes += block;
+        at += length;
+    }
+    QVector<T> list(qsizetype(bytes.size() / qsizetype(sizeof(T))));
+    std::memcpy(list.data(), bytes.data(), std::size_t(bytes.size()));
+    return list;
 }
 
 Vtp readVtp(const QString& path)
 {
     Vtp vtp;
-    QXmlStreamReader xml(contentOf(path));
+    const QByteArray content = contentOf(path);
+    const QByteArray mark = "<AppendedData encoding=\"raw\">\n_";
+    const qsizetype begin = content.indexOf(mark);
+    if (begin < 0)
+        vtp.error = "no values";
+    const QByteArray values = content.mid(begin + mark.size());
+    QXmlStreamReader xml(content.left(begin) + "</VTKFile>");
     QStringList sections;
     while (!xml.atEnd()) {
         xml.readNext();
@@ -128,12 +151,12 @@ Vtp readVtp(const QString& path)
                     vtp.piece[attribute.name().toString()] = attribute.value().toString();
             if (xml.name() == u"DataArray") {
                 const QString name = sections.back() + "/" + attributes.value("Name").toString();
-                const bool whole = attributes.value("type") == u"Int64";
-                const QString text = xml.readElementText();
-                if (whole)
-                    vtp.integers[name] = decoded<qint64>(text, vtp.error);
+                const qsizetype offset = attributes.value("offset").toLongLong();
+                if (attributes.value("type") == u"Int64")
+                    vtp.integers[name] = decoded<qint64>(values, offset, vtp.error);
                 else
-                    vtp.values[name] = decoded<double>(text, vtp.error);
+                    vtp.values[name] = decoded<double>(values, offset, vtp.error);
+                xml.skipCurrentElement();
             } else {
                 sections.push_back(xml.name().toString());
             }

@@ -127,7 +127,7 @@ bool ImportDialog::isMesh(const QString& file)
 QWidget* ImportDialog::filePlace()
 {
     auto* choose = new QPushButton(icon(QStringLiteral("open")), tr("Another file\u2026"));
-    choose->setToolTip(tr("OBJ, STL, PLY, OFF, glTF, GLB or Collada."));
+    choose->setToolTip(tr("OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP or VTU."));
     choose->setAutoDefault(false);
     connect(choose, &QPushButton::clicked, this, &ImportDialog::chooseFile);
     m_fileName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -114,7 +114,7 @@ QWidget* StartPage::side()
     open->setToolTip(tr("A scene from a file"));
     auto* import = new QPushButton(icon(QStringLiteral("import")), tr("Import\u2026"));
     import->setObjectName(QStringLiteral("import"));
-    import->setToolTip(tr("Fabric from a mesh: OBJ, STL, PLY, OFF, glTF or Collada"));
+    import->setToolTip(tr("Fabric from a mesh: OBJ, STL, PLY, OFF, glTF, Collada, VTP or VTU"));
     QToolButton* tour = entry(tr("New here? Take the tour"), QStringLiteral("manual"),
                               tr("What the parts of the window are for, in a minute"));
     tour->setObjectName(QStringLiteral("tour"));
