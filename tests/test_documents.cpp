@@ -207,6 +207,14 @@ private slots:
             QVERIFY2(page == "README.md" || linked.contains(page), qPrintable(page));
     }
 
+    // The book has every page, in an order that somebody has thought of.
+    void pagesAreInTheBook()
+    {
+        const QString contents = textOf(inTree("resources/manual/mkdocs.yml"));
+        for (const QString& page : pages())
+            QVERIFY2(contents.contains(": " + page + '\n'), qPrintable(page));
+    }
+
     void tasks_data() { eachPage(); }
     void tasks()
     {

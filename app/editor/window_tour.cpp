@@ -41,8 +41,8 @@ std::vector<TourStop> stopsOf(const TouredWindow& toured)
         {toured.window.menuBar(), words("Everything else"),
          words(
              "New from builder begins with a whole kite, glider or parachute; Import makes fabric "
-             "of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the "
-             "keys.")});
+             "of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 opens "
+             "the manual where it tells of what is under the mouse.")});
     return stops;
 }
 

@@ -3350,6 +3350,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="help_rows.cpp"/>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
         <source>&amp;Tour</source>
         <translation>&amp;Visite guidée</translation>
     </message>
@@ -3375,8 +3380,23 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="help_rows.cpp"/>
+        <source>Manual about &amp;this</source>
+        <translation>Manuel à &amp;ce sujet</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
         <source>Run the cases whose answer is known, and see what comes out.</source>
         <translation>Exécuter les cas dont la réponse est connue, et voir ce qui en sort.</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>The book: tutorials, editor, materials, tuning, studies, physics.</source>
+        <translation>Le livre : tutoriels, éditeur, matériaux, réglages, études, physique.</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>The page of the manual about the property, panel or dialog under the mouse.</source>
+        <translation>La page du manuel sur la propriété, le panneau ou la fenêtre sous la souris.</translation>
     </message>
     <message>
         <location filename="help_rows.cpp"/>
@@ -4348,6 +4368,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="manifest.cpp"/>
         <source>was written by a later version of Ripstop; use that</source>
         <translation>a été écrit par une version plus récente de Ripstop ; l’utiliser</translation>
+    </message>
+    <message>
+        <location filename="manual.cpp"/>
+        <source>Nothing here opens the manual; open %1 in a browser.</source>
+        <translation>Rien ici n’ouvre le manuel ; ouvrez %1 dans un navigateur.</translation>
+    </message>
+    <message>
+        <location filename="manual.cpp"/>
+        <source>The manual is not installed here; the page is %1.md of Ripstop's source.</source>
+        <translation>Le manuel n’est pas installé ici ; la page est %1.md dans la source de Ripstop.</translation>
     </message>
     <message>
         <location filename="map_dialog.cpp"/>
@@ -16889,8 +16919,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="window_tour.cpp"/>
-        <source>New from builder begins with a whole kite, glider or parachute; Import makes fabric of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the keys.</source>
-        <translation>Nouveau à partir d’un générateur part d’un cerf-volant, d’un deltaplane ou d’un parachute entier ; Importer fait du tissu d’un maillage ; Exporter sert Blender et ParaView. F3 trouve toute action, F1 montre les touches.</translation>
+        <source>New from builder begins with a whole kite, glider or parachute; Import makes fabric of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 opens the manual where it tells of what is under the mouse.</source>
+        <translation>Nouveau à partir d’un constructeur commence par un cerf-volant, une aile ou un parachute entier ; Importer fait du tissu d’un maillage ; Exporter sert à Blender et ParaView. F3 trouve toute action, F1 ouvre le manuel là où il parle de ce qui est sous la souris.</translation>
     </message>
     <message>
         <location filename="window_tour.cpp"/>

@@ -121,6 +121,11 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
                 focus->setAccessibleName(labelOf(property));
         }
     label->setBuddy(field.focus[0]);
+    // by which F1 finds the page about it (app/manual/manual_pages.h)
+    const QString name =
+        QStringLiteral("property %1.%2").arg(text(kindName(property.kind)), text(property.key));
+    label->setObjectName(name);
+    field.widget->setObjectName(name);
 
     auto* slider = rowButton(QStringLiteral("slider"),
                              tr("Keep a slider for this in the tuning panel (Ctrl+T)."),
