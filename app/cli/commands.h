@@ -31,6 +31,7 @@ void addPresets(CLI::App& app, Command& chosen);
 void addWeigh(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
 void addMap(CLI::App& app, Command& chosen);
+void addThumbnail(CLI::App& app, Command& chosen);
 void addFit(CLI::App& app, Command& chosen);
 void addCompletions(CLI::App& app, Command& chosen); // of all that were added before
 

@@ -1,3 +1,4 @@
+// The program: its commands in the order of its help, and what is said where one is misspelt.
 #include "base/program_version.h"
 #include "cli/commands.h"
 #include "scene/property.h"
@@ -67,6 +68,7 @@ int call(int argc, char** argv)
     addWeigh(app, chosen);
     addConvert(app, chosen);
     addMap(app, chosen);
+    addThumbnail(app, chosen);
     addFit(app, chosen);
     addVerify(app, chosen);
     addCompletions(app, chosen);

@@ -1034,6 +1034,11 @@
         <translation>Au modèle ouvert : %1</translation>
     </message>
     <message>
+        <location filename="design_picture.cpp"/>
+        <source>The picture could not be made (%1).</source>
+        <translation>L’image n’a pas pu être faite (%1).</translation>
+    </message>
+    <message>
         <location filename="design_rows.cpp"/>
         <source>&amp;Align</source>
         <translation>&amp;Aligner</translation>
