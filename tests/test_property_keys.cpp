@@ -30,6 +30,7 @@ constexpr Other others[]{
     {"model/verify/",                    "*",                  "parameters of builders"},
     {"model/shapes/",                    "u v",                "words of mesh files"},
     {"model/bundle/manifest.cpp",        "title",              "fields of the manifest"},
+    {"model/export/hdf5.cpp",            "position probes step velocity", "names of arrays"},
     {"model/scene/items.h",              "material",           "what a new one is called"},
     {"model/scene/reference.cpp",        "material probes",    "names of kinds"},
     {"model/check/check.cpp",            "axis formula guide roughness step", "sorts of problems"},

@@ -70,7 +70,7 @@ bool compareBuilders(Differences& list, const Entry& a, const Entry& b)
         list.push_back({DifferenceKind::Parameter,
                         Kind::Part,
                         first.name,
-                        "builder",
+                        std::string(propertyOf<&Part::builder>().key),
                         {},
                         first.builder,
                         second.builder,

@@ -9,6 +9,7 @@
 
 #include "export/curve_figure.h"
 #include "export/gltf.h"
+#include "export/hdf5.h"
 #include "export/moment.h"
 #include "export/point_cache.h"
 
@@ -141,6 +142,15 @@ constexpr std::array formats{
                  {90, 95, 95, 0},
                  nullptr,
                  pvdSink},
+    ExportFormat{".h5",
+                 "Series for Python, HDF5",
+                 "One file of arrays over all frames, with all that is measured and the probes.",
+                 Of::Series,
+                 Topology::Free,
+                 Beside::Nothing,
+                 {35, 20, 12, 8},
+                 nullptr,
+                 hdf5Sink},
     ExportFormat{".csv",
                  "Table of the probes, CSV",
                  "A row for each frame; units stand in the header.",

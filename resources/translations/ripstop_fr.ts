@@ -3289,6 +3289,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>tapé : %1</translation>
     </message>
     <message>
+        <location filename="hdf5.cpp"/>
+        <source>%1 is an HDF5 file, which this program was built without; export .pvd or .csv, or build it with libhdf5-dev.</source>
+        <translation>%1 est un fichier HDF5, sans quoi ce programme a été construit ; exportez en .pvd ou .csv, ou construisez-le avec libhdf5-dev.</translation>
+    </message>
+    <message>
         <location filename="height_picture.cpp"/>
         <source>The picture %1 cannot be read (%2); save it as a grey PNG of 8 or 16 bits, or choose another file.</source>
         <translation>L’image %1 ne peut pas être lue (%2) ; l’enregistrer en PNG gris de 8 ou 16 bits, ou choisir un autre fichier.</translation>
@@ -12637,6 +12642,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>One file of arrays over all frames, with all that is measured and the probes.</source>
+        <translation>Un fichier de tableaux sur toutes les images, avec tout ce qui est mesuré et les sondes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>One file with a morph target for each frame and the colours of the fabrics. Blender and web pages.</source>
         <translation>Un fichier avec une cible de morphing par image et les couleurs des tissus. Blender et pages web.</translation>
     </message>
@@ -13374,6 +13384,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Series for ParaView, PVD and VTP</source>
         <translation>Série pour ParaView, PVD et VTP</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Series for Python, HDF5</source>
+        <translation>Série pour Python, HDF5</translation>
     </message>
     <message>
         <location filename="tables"/>
