@@ -26,6 +26,7 @@ void addBundle(CLI::App& app, Command& chosen);
 void addPolar(CLI::App& app, Command& chosen);
 void addBench(CLI::App& app, Command& chosen);
 void addProperties(CLI::App& app, Command& chosen);
+void addSchema(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
 void addPresets(CLI::App& app, Command& chosen);
 void addWeigh(CLI::App& app, Command& chosen);

@@ -64,6 +64,7 @@ int call(int argc, char** argv)
     addPolar(app, chosen);
     addBench(app, chosen);
     addProperties(app, chosen);
+    addSchema(app, chosen);
     addPresets(app, chosen);
     addWeigh(app, chosen);
     addConvert(app, chosen);
