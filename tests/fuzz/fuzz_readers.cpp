@@ -78,6 +78,14 @@ void demandSound(const PolygonMesh& mesh)
                mesh.corners,
                [&](int corner) { return corner >= 0 && std::size_t(corner) < mesh.points.size(); }),
            "a corner is of no point");
+    demand(std::ranges::all_of(mesh.lines,
+                               [&](const auto& ends) {
+                                   return std::ranges::all_of(ends, [&](int end) {
+                                       return end >= 0 && std::size_t(end) < mesh.points.size();
+                                   });
+                               }),
+           "a line ends at no point");
+    demand(mesh.mass.empty() || mesh.mass.size() == mesh.points.size(), "masses of other points");
     demand(mesh.texture.empty() || mesh.texture.size() == mesh.corners.size(),
            "corners have no texture");
     demand(mesh.object.size() == mesh.faceCount() && mesh.material.size() == mesh.faceCount(),
