@@ -162,13 +162,14 @@ void DesignDifferenceDialog::say()
     m_with->setText(m_file.isEmpty() ? tr("The open design has no file yet.")
                                      : from + QStringLiteral("\n") + to);
     m_saved->setEnabled(!m_document.file().isEmpty() && !saved);
-    m_ghost->setEnabled(!m_file.isEmpty());
+    m_ghost->setEnabled(count > 0);
     m_select->setEnabled(count > 0);
 }
 
 void DesignDifferenceDialog::showGhost()
 {
-    const bool shown = isVisible() && m_ghost->isChecked() && !m_file.isEmpty();
+    // two that are the same would only flicker in each other
+    const bool shown = isVisible() && m_ghost->isChecked() && !m_differences.empty();
     m_viewport.showGhost(shown ? sceneFrame(m_other) : nullptr);
 }
 

@@ -14,7 +14,7 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t blockSize = 1 << 20; // bytes, that are compressed together
-constexpr int speed = 3;                   // of zlib, 1 to 9; more takes longer for a hundredth
+constexpr int speed = 1;                   // of zlib, 1 to 9; more takes longer for a hundredth
 
 // The XML of a file, and behind it the values of its arrays, each in compressed blocks
 // (vtkZLibDataCompressor): how many, their size, that of the last where it is smaller, and how long
