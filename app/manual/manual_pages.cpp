@@ -39,7 +39,7 @@ constexpr std::array table{
     ManualRow{"BuilderDialog",          "docs/building",  "the-dialog"},
     ManualRow{"CertifyDialog",          "docs/choosing-a-solver", "which-digits-hold"},
     ManualRow{"ConditionDialog",        "docs/selecting", "by-property-ctrlshiftf"},
-    ManualRow{"DesignDifferenceDialog", "docs/command-line", "five-minutes"},
+    ManualRow{"DesignDifferenceDialog", "docs/command-line", "what-two-designs-differ-in"},
     ManualRow{"DifferenceDialog",       "docs/flight-to-figure", "look-back-and-compare"},
     ManualRow{"ExportDialog",           "docs/exporting", ""},
     ManualRow{"ImportDialog",           "docs/importing", ""},
