@@ -291,7 +291,8 @@ std::optional<Failure> sortArguments(CLI::App& command, ImportOptions& options)
         }
     }
     if (options.files.empty())
-        return Failure{"Name a mesh to import: an OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP or VTU file."};
+        return Failure{
+            "Name a mesh to import: an OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP or VTU file."};
     return std::nullopt;
 }
 
@@ -377,8 +378,8 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
 
 void addImport(CLI::App& app, Command& chosen)
 {
-    CLI::App* command =
-        app.add_subcommand("import", "Make fabric of meshes: OBJ, STL, PLY, OFF, glTF, Collada, VTP, VTU.");
+    CLI::App* command = app.add_subcommand(
+        "import", "Make fabric of meshes: OBJ, STL, PLY, OFF, glTF, Collada, VTP, VTU.");
     const auto options = std::make_shared<ImportOptions>();
     command->add_option("FILE", options->arguments, "Meshes; KEY=VALUE stands for --KEY VALUE")
         ->required();

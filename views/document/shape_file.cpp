@@ -16,7 +16,8 @@ QString askShapeFile(QWidget* parent, const Document& document, ColliderShape sh
     const QString folder = QString::fromStdString(document.scene().folder.path);
     const QString file = QFileDialog::getOpenFileName(
         parent, isMesh ? words("Choose a mesh") : words("Choose a picture of heights"), folder,
-        isMesh ? words("Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off *.vtp *.vtu);;All files (*)")
+        isMesh ? words(
+            "Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off *.vtp *.vtu);;All files (*)")
                : words("Pictures (*.png *.pgm);;All files (*)"));
     return file.isEmpty() ? file : namedFrom(folder, file);
 }
