@@ -42,6 +42,36 @@ Dialogs::Dialogs(QMainWindow& window, Document& document, Selection& selection, 
     , m_viewport(viewport)
 {}
 
+QStringList Dialogs::open() const
+{
+    const auto stands = [](const QWidget* dialog) { return dialog && dialog->isVisible(); };
+    QStringList ids;
+    for (const auto& [dialog, id] : {std::pair<const QWidget*, const char*>{m_polar, "polar"},
+                                     {m_condition, "byProperty"},
+                                     {m_rigidity, "floppy"},
+                                     {m_settle, "settle"},
+                                     {m_preferences, "preferences"}})
+        if (stands(dialog))
+            ids << QLatin1String(id);
+    return ids;
+}
+
+void Dialogs::takeChecks(Dialogs& before)
+{
+    const auto take = [this](auto& ours, auto& theirs) {
+        ours = std::exchange(theirs, nullptr);
+        if (!ours)
+            return;
+        const bool stood = ours->isVisible();
+        const QPoint place = ours->pos();
+        ours->setParent(&m_window, ours->windowFlags());
+        ours->move(place);
+        ours->setVisible(stood);
+    };
+    take(m_verification, before.m_verification);
+    take(m_certify, before.m_certify);
+}
+
 void Dialogs::showKeys(KeyMap& keys) { KeysDialog(keys, m_document.scene(), &m_window).exec(); }
 
 // The action runs when the palette is gone, as if it had been chosen in its menu.
@@ -54,7 +84,9 @@ void Dialogs::showPalette()
 
 void Dialogs::showPreferences(const Actions& actions, RunFiles& runFiles)
 {
-    PreferencesDialog(actions, runFiles, &m_window).exec();
+    if (!m_preferences) // deletes itself when closed
+        m_preferences = new PreferencesDialog(actions, runFiles, &m_window);
+    bringUp(*m_preferences);
 }
 
 void Dialogs::showVerification()

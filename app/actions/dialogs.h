@@ -2,11 +2,12 @@
 //
 // The workbench holds one of these, and actions call it. Each dialog is made when it is first
 // asked for; those without a mode stay open while one works, and asking again raises them. The key
-// table, the palette and the preferences are modal and end before their function returns. All
+// table and the palette are modal and end before their function returns. All
 // belongs to the thread of the window.
 #pragma once
 
 #include <QPointer>
+#include <QStringList>
 
 #include <functional>
 
@@ -22,6 +23,7 @@ class Document;
 class KeyMap;
 class Player;
 class PolarDialog;
+class PreferencesDialog;
 class Recordings;
 class RigidityDialog;
 class RunFiles;
@@ -34,6 +36,11 @@ class Dialogs final
 {
 public:
     Dialogs(QMainWindow& window, Document& document, Selection& selection, Viewport& viewport);
+
+    // The ids of the actions whose dialogs stand open and can be opened again as they are.
+    QStringList open() const;
+    // Checks that another window has begun go on here, in the language in which they began.
+    void takeChecks(Dialogs& before);
 
     void showKeys(KeyMap& keys);
     void showPalette();
@@ -51,6 +58,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     Viewport& m_viewport;
+    QPointer<PreferencesDialog> m_preferences;       // while it is open
     QPointer<VerificationDialog> m_verification;     // while it is open
     QPointer<PolarDialog> m_polar;                   // while it is open
     QPointer<CertifyDialog> m_certify;               // while it is open

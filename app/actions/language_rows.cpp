@@ -3,9 +3,6 @@
 #include "actions/workbench.h"
 #include "language/language.h"
 
-#include <QMainWindow>
-#include <QStatusBar>
-
 #include <array>
 
 namespace ripstop {
@@ -14,18 +11,17 @@ namespace {
 // In the order of Language: each by its own name, System in the language of the window.
 constexpr std::array<KeptChoice, 3> choices{{
     {"languageSystem", QT_TRANSLATE_NOOP("Actions", "&System"),
-     QT_TRANSLATE_NOOP("Actions", "The language of the desktop, from the next start on.")},
+     QT_TRANSLATE_NOOP("Actions", "The language of the desktop.")},
     {"languageEnglish", "&English",
-     QT_TRANSLATE_NOOP("Actions", "English, from the next start on.")},
+     QT_TRANSLATE_NOOP("Actions", "The window in English, at once.")},
     {"languageFrench", "&Fran\u00e7ais",
-     QT_TRANSLATE_NOOP("Actions", "French, from the next start on.")},
+     QT_TRANSLATE_NOOP("Actions", "The window in French, at once.")},
 }};
 
-void choose(Language language, QMainWindow& window)
+void choose(Language language, const Workbench& bench)
 {
     keepLanguage(language);
-    window.statusBar()->showMessage(
-        tr("The language is kept, and heard when Ripstop starts the next time."), 8000);
+    bench.speak(language);
 }
 
 } // namespace
@@ -33,7 +29,7 @@ void choose(Language language, QMainWindow& window)
 MenuRows languageRows(const Workbench& bench)
 {
     return choiceRows("&View/Lan&guage", "language", choices, std::size_t(keptLanguage()),
-                      [&window = bench.window](std::size_t i) { choose(Language(i), window); });
+                      [&bench](std::size_t i) { choose(Language(i), bench); });
 }
 
 } // namespace ripstop

@@ -177,6 +177,16 @@ void Menus::restoreView()
     }
 }
 
+void Menus::takeOver(const Actions& before)
+{
+    for (const QAction* other : before.all()) {
+        QAction* action = m_bench->actions.find(other->objectName());
+        const bool isOne = action && action->actionGroup(); // it is only switched on
+        if (action && other->isChecked() != action->isChecked() && (other->isChecked() || !isOne))
+            action->trigger();
+    }
+}
+
 void Menus::fillTemplates()
 {
     m_templates->clear();

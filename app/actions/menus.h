@@ -18,6 +18,7 @@ class QMenu;
 
 namespace ripstop {
 
+class Actions;
 struct MenuRow;
 struct Workbench;
 
@@ -32,6 +33,9 @@ public:
     // What the View menu shows and hides, from run to run.
     void keepView() const;
     void restoreView();
+
+    // What another window has switched on and chosen.
+    void takeOver(const Actions& before);
 
 private:
     QMenu& menu(const QString& path);

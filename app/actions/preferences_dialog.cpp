@@ -17,6 +17,7 @@ PreferencesDialog::PreferencesDialog(const Actions& actions, RunFiles& runFiles,
     : QDialog(parent)
 {
     setWindowTitle(tr("Preferences"));
+    setAttribute(Qt::WA_DeleteOnClose);
     auto* memory = new QSpinBox;
     memory->setRange(0, RunFiles::mostMemory);
     memory->setSingleStep(64);
@@ -27,8 +28,7 @@ PreferencesDialog::PreferencesDialog(const Actions& actions, RunFiles& runFiles,
                           "a temporary file."));
     connect(memory, &QSpinBox::valueChanged, &runFiles, &RunFiles::setMemory);
 
-    auto* note = new QLabel(tr("The language changes when Ripstop starts the next time; memory "
-                               "counts from the next run on."));
+    auto* note = new QLabel(tr("Memory counts from the next run on."));
     note->setWordWrap(true);
     note->setForegroundRole(QPalette::PlaceholderText);
     auto* form = new QFormLayout(this);

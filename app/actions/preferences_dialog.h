@@ -1,8 +1,8 @@
 // What holds for the whole program on this machine: theme, language, memory of recordings.
 //
 // Each choice is that of the menu: the dialog triggers its actions, so that both say the same.
-// Changes count at once and there is nothing to accept, except that the language is that of the
-// next start. Dialogs::showPreferences() opens it.
+// Changes count at once and there is nothing to accept. Another language makes the window anew, and
+// this dialog with it. Dialogs::showPreferences() opens it; it deletes itself when closed.
 #pragma once
 
 #include <QDialog>

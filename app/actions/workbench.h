@@ -22,6 +22,7 @@ class Recordings;
 class RunFiles;
 class Selection;
 class Viewport;
+enum class Language;
 
 inline constexpr int messageTime = 8000; // ms, that the status bar shows what an action says
 
@@ -45,6 +46,7 @@ struct Workbench
     std::function<void()> resetLayout;
     // called when a tool has changed how hard hands pull or blow, or how wide the brush is
     std::function<void()> toolChanged;
+    std::function<void(Language)> speak; // from now on
 };
 
 } // namespace ripstop

@@ -5,6 +5,10 @@
 // because the start page hides all.
 #include "docks/docks.h"
 
+#include "inspector/inspector.h"
+#include "plots/plot_panel.h"
+#include "study/study_panel.h"
+
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -92,6 +96,16 @@ QList<QAction*> Docks::toggles() const
     for (const auto& [id, toggle] : sorted)
         toggles << toggle;
     return toggles;
+}
+
+void Docks::takeOver(const Docks& before)
+{
+    for (std::size_t i = 0; i < m_all.size(); ++i) // of the same table
+        if (before.m_closed.contains(before.m_all[i].widget))
+            m_closed.insert(m_all[i].widget);
+    panel<PlotPanel>().takeOver(before.panel<PlotPanel>());
+    panel<StudyPanel>().takeOver(before.panel<StudyPanel>());
+    panel<Inspector>().sliders().takeOver(before.panel<Inspector>().sliders());
 }
 
 void Docks::hideAll() const

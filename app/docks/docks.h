@@ -45,6 +45,9 @@ public:
     // Puts all of them back to the places and sizes of their rows, and shows them.
     void arrange();
 
+    // Their panels go on with what those of another window hold, which is about to go.
+    void takeOver(const Docks& before);
+
     void hideAll() const;
     void noteClosed();         // remembers those that are hidden now as closed by the user
     void showOpen() const;     // shows all but those that the user has closed

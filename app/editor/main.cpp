@@ -19,6 +19,7 @@
 #include "editor/options.h"
 #include "editor/screenshot.h"
 #include "editor/table_texts.h"
+#include "editor/window_host.h"
 #include "files/arrivals.h"
 #include "files/kept_work.h"
 #include "icons/icon.h"
@@ -137,8 +138,9 @@ int main(int argc, char** argv)
     Selection selection(document);
     Player player(document);
     const bool stays = options->screenshot.isEmpty();
-    MainWindow window(document, selection, player,
-                      stays ? MainWindow::Memory::Keep : MainWindow::Memory::Ignore);
+    WindowHost host(document, selection, player,
+                    stays ? MainWindow::Memory::Keep : MainWindow::Memory::Ignore, translation);
+    MainWindow& window = host.window(); // as long as no event is handled
     if (options->size)
         window.resize(*options->size);
     if (!options->scene.isEmpty())
@@ -155,7 +157,7 @@ int main(int argc, char** argv)
     window.show();
 
     const EndSignals ends([&](int signal) {
-        window.keptWork().leave();
+        host.window().keptWork().leave();
         QApplication::exit(128 + signal);
     });
     std::optional<Screenshot> screenshot;
@@ -165,10 +167,11 @@ int main(int argc, char** argv)
         player.play();
     if (stays)
         QMetaObject::invokeMethod(
-            &window, [&] { window.keptWork().keepIn(rescueFolder()); }, Qt::QueuedConnection);
+            &host, [&] { host.window().keptWork().keepIn(rescueFolder()); }, Qt::QueuedConnection);
     if (!options->mesh.isEmpty()) // queued, because the dialog needs the window below it
         QMetaObject::invokeMethod(
-            &window, [&] { window.arrivals().importMesh(options->mesh); }, Qt::QueuedConnection);
+            &host, [&] { host.window().arrivals().importMesh(options->mesh); },
+            Qt::QueuedConnection);
     if (!options->action.isEmpty()) {
         QAction* action = window.actions().find(options->action);
         if (!action)

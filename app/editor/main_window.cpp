@@ -1,7 +1,8 @@
 // Stages: the constructor makes the parts, then docks, actions, the tool bar and the bars over the
 // view in this order, because actions reach panels through the docks and the bars take actions by
 // their ids; then it connects the parts and restores the layout. Below stand the switch between
-// start page and view, the title, what closing asks and keeps, and what is dropped on the window.
+// start page and view, the title, and what is dropped on the window. What is kept from run to run
+// and from window to window is in main_window_memory.cpp.
 #include "editor/main_window.h"
 
 #include "actions/menus.h"
@@ -19,7 +20,6 @@
 #include "editor/tool_bars.h"
 #include "editor/transform_bar.h"
 #include "editor/wheel_guard.h"
-#include "editor/window_layout.h"
 #include "editor/window_tour.h"
 #include "files/arrivals.h"
 #include "files/kept_work.h"
@@ -37,7 +37,6 @@
 #include "viewport/viewport.h"
 
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QMenuBar>
@@ -58,11 +57,17 @@ QString droppedFile(const QMimeData* data)
 } // namespace
 
 MainWindow::MainWindow(Document& document, Selection& selection, Player& player, Memory memory)
+    : MainWindow(document, selection, player, memory, {}, nullptr)
+{}
+
+MainWindow::MainWindow(Document& document, Selection& selection, Player& player, Memory memory,
+                       const DrawSettings& drawSettings, Recordings* recordings)
     : m_document(document)
     , m_selection(selection)
     , m_player(player)
     , m_memory(memory)
-    , m_recordings(new Recordings(player, this))
+    , m_drawSettings(drawSettings)
+    , m_recordings(recordings ? recordings : new Recordings(player))
     , m_viewport(new Viewport(document, selection, player))
     , m_start(new StartPage(this))
     , m_middle(new QStackedWidget(this))
@@ -75,6 +80,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_keptWork(new KeptWork(document, player, *m_files, *this))
     , m_dialogs(*this, document, selection, *m_viewport)
 {
+    m_recordings->setParent(this);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setAcceptDrops(true);
     m_middle->addWidget(m_start);
@@ -116,10 +122,11 @@ void MainWindow::buildActions()
         m_handBar->refresh();
         m_brushBar->refresh();
     };
-    m_menus = std::make_unique<Menus>(Workbench{
-        *this, m_document, m_selection, m_player, *m_recordings, *m_viewport, m_drawSettings,
-        *m_docks, *m_files, *m_runFiles, *m_arrivals, m_dialogs, m_actions,
-        [this] { showStartPage(); }, tour, [this] { resetLayout(); }, toolChanged});
+    m_menus = std::make_unique<Menus>(
+        Workbench{*this, m_document, m_selection, m_player, *m_recordings, *m_viewport,
+                  m_drawSettings, *m_docks, *m_files, *m_runFiles, *m_arrivals, m_dialogs,
+                  m_actions, [this] { showStartPage(); }, tour, [this] { resetLayout(); },
+                  toolChanged, [this](Language language) { emit languageChosen(language); }});
     m_actions.takeKeys(m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore);
     connect(m_start, &StartPage::tourRequested, this, tour);
 }
@@ -187,29 +194,13 @@ void MainWindow::connectParts()
     connect(&m_docks->panel<LoadPanel>(), &LoadPanel::chosen, m_viewport,
             [this](quint32 element) { m_viewport->centre({Id{element}}); });
     connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
-    connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear);
+    connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear,
+            Qt::UniqueConnection); // recordings may have come from a window before
     connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState is) {
         if (is == Qt::ApplicationActive)
             m_files->lookAtDisk();
     });
-}
-
-void MainWindow::restoreMemory()
-{
-    if (m_memory == Memory::Ignore)
-        return;
-    restoreLayout(*this);
-    m_docks->noteClosed();
-    m_menus->restoreView();
-    m_runFiles->restoreMemory();
-}
-
-void MainWindow::resetLayout()
-{
-    showScene();
-    m_toolBar->show();
-    m_docks->arrange();
 }
 
 bool MainWindow::isSceneShown() const { return m_middle->currentWidget() == m_viewport; }
@@ -246,19 +237,6 @@ void MainWindow::showTitle()
     setWindowTitle(tr("%1[*] – Ripstop").arg(m_document.displayName()));
     setWindowFilePath(m_document.file());
     setWindowModified(m_document.isModified());
-}
-
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-    if (!m_files->mayDiscard())
-        return event->ignore();
-    if (m_memory == Memory::Keep) {
-        if (!isSceneShown())
-            showScene(); // because the layout to be kept is the one with docks
-        keepLayout(*this);
-        m_menus->keepView();
-    }
-    event->accept();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -36,6 +36,7 @@ class StartPage;
 class StatusLine;
 class Transport;
 class Viewport;
+enum class Language;
 
 class MainWindow final : public QMainWindow
 {
@@ -45,6 +46,9 @@ public:
     enum class Memory { Keep, Ignore }; // whether places and sizes are kept from run to run
 
     MainWindow(Document& document, Selection& selection, Player& player, Memory memory);
+    // In the place of another one, which is about to go: with all that it shows, in the language
+    // that is spoken now.
+    explicit MainWindow(MainWindow& before);
     ~MainWindow() override;
 
     Viewport& viewport() { return *m_viewport; }
@@ -62,12 +66,18 @@ public:
     void openRun(const QString& file); // opens a recording
     void openStudy(const QString& file);
 
+signals:
+    void languageChosen(ripstop::Language language);
+
 protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
+    MainWindow(Document& document, Selection& selection, Player& player, Memory memory,
+               const DrawSettings& drawSettings, Recordings* recordings); // null: its own
+    void takeOver(MainWindow& before);
     void buildDocks();
     void buildActions();
     void buildToolBar();

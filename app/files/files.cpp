@@ -45,6 +45,12 @@ Files::Files(Document& document, Player& player, Viewport& viewport, QWidget& wi
 
 QString Files::sceneFilter() { return tr("Ripstop scenes (*.ripstop.json);;All files (*)"); }
 
+void Files::takeOver(const Files& before)
+{
+    m_seenOnDisk = before.m_seenOnDisk;
+    m_exported = before.m_exported;
+}
+
 void Files::startNew()
 {
     if (!mayDiscard())

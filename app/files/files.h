@@ -28,6 +28,8 @@ class Files final : public QObject
 public:
     Files(Document& document, Player& player, Viewport& viewport, QWidget& window);
 
+    void takeOver(const Files& before); // what has been asked and chosen so far
+
     void startNew();
     void browse();
     bool open(const QString& file); // false when refused; the open scene then stays

@@ -8,6 +8,8 @@
 
 #include <QMessageBox>
 
+#include <utility>
+
 namespace ripstop {
 
 KeptWork::KeptWork(Document& document, Player& player, Files& files, QWidget& window)
@@ -33,6 +35,16 @@ void KeptWork::keepIn(const QString& folder)
                              translated(failure->message));
     else
         emit opened();
+}
+
+void KeptWork::takeOver(KeptWork& before)
+{
+    m_autosave = std::exchange(before.m_autosave, nullptr);
+    if (!m_autosave)
+        return;
+    m_autosave->disconnect(&before);
+    m_autosave->setParent(this);
+    connect(m_autosave, &Autosave::failed, this, &KeptWork::failed);
 }
 
 void KeptWork::leave()

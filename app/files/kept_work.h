@@ -26,6 +26,9 @@ public:
     // Keeps copies in that folder, and asks about those that were left behind there.
     void keepIn(const QString& folder);
 
+    // Goes on keeping what that one keeps, without asking again.
+    void takeOver(KeptWork& before);
+
     // Keeps it at once for the next program, because this one was told to end.
     void leave();
 

@@ -18,9 +18,10 @@ enum class Language { System, English, French };
 
 std::optional<Language> languageFromCode(const QString& code); // "system", "en", "fr"
 Language keptLanguage();                                       // System until one was chosen
-void keepLanguage(Language language);                          // from the next start on
+void keepLanguage(Language language);
 
-// Translates what the program says from here on. Texts that are on the screen already stay.
+// Translates what the program says from here on. Texts that are on the screen already stay, so the
+// window is made anew (editor/window_host.h).
 class Translation : public QObject
 {
 public:

@@ -4121,23 +4121,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="language_rows.cpp"/>
-        <source>English, from the next start on.</source>
-        <translation>L’anglais, dès le prochain démarrage.</translation>
+        <source>The language of the desktop.</source>
+        <translation>La langue du bureau.</translation>
     </message>
     <message>
         <location filename="language_rows.cpp"/>
-        <source>French, from the next start on.</source>
-        <translation>Le français, dès le prochain démarrage.</translation>
+        <source>The window in English, at once.</source>
+        <translation>La fenêtre en anglais, tout de suite.</translation>
     </message>
     <message>
         <location filename="language_rows.cpp"/>
-        <source>The language is kept, and heard when Ripstop starts the next time.</source>
-        <translation>La langue est retenue, et parlée dès le prochain démarrage de Ripstop.</translation>
-    </message>
-    <message>
-        <location filename="language_rows.cpp"/>
-        <source>The language of the desktop, from the next start on.</source>
-        <translation>La langue du bureau, dès le prochain démarrage.</translation>
+        <source>The window in French, at once.</source>
+        <translation>La fenêtre en français, tout de suite.</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -6475,13 +6470,13 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="preferences_dialog.cpp"/>
-        <source>Preferences</source>
-        <translation>Préférences</translation>
+        <source>Memory counts from the next run on.</source>
+        <translation>La mémoire compte à partir de la prochaine simulation.</translation>
     </message>
     <message>
         <location filename="preferences_dialog.cpp"/>
-        <source>The language changes when Ripstop starts the next time; memory counts from the next run on.</source>
-        <translation>La langue change au prochain démarrage de Ripstop ; la mémoire compte à partir du prochain vol.</translation>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
     </message>
     <message>
         <location filename="preferences_dialog.cpp"/>

@@ -50,6 +50,13 @@ void Document::cancel(int gesture)
     m_history.undo();
 }
 
+void Document::retranslate()
+{
+    for (int i = 0; i < m_history.count(); ++i)
+        // the history hands out its commands as constant, but they are our own
+        static_cast<EditCommand*>(const_cast<QUndoCommand*>(m_history.command(i)))->retranslate();
+}
+
 void Document::replace(Scene scene, const QString& suggestedName)
 {
     const bool isWork = !scene.items.empty();

@@ -32,6 +32,7 @@ public:
     void drag(Edit edit, int gesture); // steps of one gesture merge into one
     int beginGesture();                // a fresh number for drag()
     void cancel(int gesture);          // as if it had never begun, if it is the last step
+    void retranslate();                // names the steps in the language that is spoken now
 
     // A new design without a file. The history starts over.
     void replace(Scene scene, const QString& suggestedName = {});

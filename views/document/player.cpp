@@ -284,13 +284,15 @@ bool Player::stands() const
            && m_frame->generation == m_generation;
 }
 
-bool Player::isCurrent() const { return !m_past && m_problem.isEmpty() && stands(); }
+QString Player::problem() const { return translated(m_problem); }
+
+bool Player::isCurrent() const { return !m_past && m_problem.empty() && stands(); }
 
 bool Player::refuse()
 {
     // What was wrong before the newest edit may have been cured by it.
-    if (m_compile == Compile::Done && !m_problem.isEmpty())
-        emit stopped(m_problem, m_culprit);
+    if (m_compile == Compile::Done && !m_problem.empty())
+        emit stopped(problem(), m_culprit);
     else if (stands() && !m_frame->stopped.empty())
         emit stopped(translated(m_frame->stopped), m_frame->culprit);
     else
@@ -317,17 +319,16 @@ void Player::takeCompiled(const Compiled& outcome)
     if (runs)
         m_runner.handle(m_hands); // and with empty hands
 
-    const QString problem = translated(outcome.problem);
-    const bool disappoints = !problem.isEmpty() && (isPlaying() || m_orders);
-    const bool isNews = problem != m_problem || disappoints;
-    m_problem = problem;
+    const bool disappoints = !outcome.problem.empty() && (isPlaying() || m_orders);
+    const bool isNews = outcome.problem != m_problem || disappoints;
+    m_problem = outcome.problem;
     m_culprit = quint32(outcome.culprit);
     if (disappoints)
         halt();
     if (isNews)
         emit stateChanged();
     if (disappoints)
-        emit stopped(m_problem, m_culprit);
+        emit stopped(problem(), m_culprit);
     giveOrders();
 }
 

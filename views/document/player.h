@@ -49,9 +49,10 @@ public:
     const std::shared_ptr<const Frame>& frame() const { return m_past ? m_past : m_frame; }
 
     // Why there is nothing to play ("particle 3 is free and has no mass ..."), or empty.
-    const QString& problem() const { return m_problem; }
+    QString problem() const;
 
     bool isCurrent() const; // the newest frame is one of the design as it is now
+    std::uint64_t run() const { return m_run; } // that goes on, or is about to begin
 
     // What these ask for happens in the scene as it is now: they wait for a compile under way.
     void play();
@@ -145,7 +146,7 @@ private:
     std::optional<Orders> m_orders; // not yet given
     std::optional<double> m_until;  // s, where playUntil() will pause
     QTimer m_poll;
-    QString m_problem;
+    Message m_problem;     // in words when it is asked for, as the language may change
     quint32 m_culprit = 0; // of m_problem
     double m_speed = 1.0;
     std::uint64_t m_generation = 0; // of the newest compile asked for

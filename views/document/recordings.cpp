@@ -35,12 +35,15 @@ Recordings::Recordings(Player& player, QObject* parent)
 {
     connect(&player, &Player::recordingBegan, this,
             [this](const std::shared_ptr<Recording>& recording) {
-                recording->setName(nextName().toStdString());
-                recording->setOrigin(std::exchange(m_origin, {}).toStdString());
+                nameRun(recording);
                 m_live = recording;
                 add(recording);
             });
     connect(&player, &Player::stateChanged, this, [this] {
+        if (m_begins && m_origin && m_origin->run != 0 && m_origin->run != m_player.run()) {
+            m_begins.reset(); // the player was reset before the branch began
+            m_origin.reset();
+        }
         if (!m_player.isLookingBack() && std::exchange(m_showsPast, false) && !m_begins)
             leavePast(); // the run goes on
     });
@@ -53,7 +56,39 @@ Recordings::Recordings(Player& player, QObject* parent)
 
 Recordings::~Recordings() { m_cancelled = true; }
 
-QString Recordings::nextName() const { return tr("Run %1").arg(m_count + 1); }
+void Recordings::nameRun(const std::shared_ptr<Recording>& recording)
+{
+    Given given{recording, m_count + 1, std::exchange(m_origin, std::nullopt), recording->name()};
+    if (given.origin && given.origin->run != recording->run())
+        given.origin.reset(); // the player was reset meanwhile
+    say(given);
+    m_given.push_back(std::move(given));
+}
+
+void Recordings::say(Given& given)
+{
+    const auto recording = given.recording.lock();
+    if (!recording)
+        return;
+    if (recording->name() == given.name) { // nobody has renamed it
+        given.name = tr("Run %1").arg(given.number).toStdString();
+        recording->setName(given.name);
+    }
+    if (!given.origin)
+        return;
+    if (const auto from = given.origin->recording.lock())
+        recording->setOrigin(
+            tr("%1 s of %2")
+                .arg(secondsText(given.origin->time), QString::fromStdString(from->name()))
+                .toStdString());
+}
+
+void Recordings::retranslate()
+{
+    for (Given& given : m_given)
+        say(given);
+    emit listChanged();
+}
 
 void Recordings::add(std::shared_ptr<Recording> recording)
 {
@@ -89,6 +124,8 @@ void Recordings::clear()
     m_live = nullptr;
     m_certificate = nullptr;
     m_count = 0;
+    m_given.clear();
+    m_origin.reset();
     setCurrent(nullptr);
 }
 
@@ -101,6 +138,7 @@ void Recordings::rename(const std::shared_ptr<Recording>& recording, const QStri
 void Recordings::remove(std::shared_ptr<Recording> recording)
 {
     std::erase(m_list, recording);
+    std::erase_if(m_given, [&](const Given& one) { return one.recording.lock() == recording; });
     if (m_live == recording)
         m_live = nullptr;
     if (m_ghost == recording)
@@ -363,7 +401,7 @@ void Recordings::continueHere()
     if (!m_current || m_current->frameCount() == 0 || m_computing)
         return;
     pause();
-    m_origin = tr("%1 s of %2").arg(secondsText(time()), QString::fromStdString(m_current->name()));
+    m_origin = Origin{m_current, time()};
     m_computing = true;
     m_cancelled = false;
     m_starter.post({m_current, m_current->stepOf(m_frame)});
@@ -389,10 +427,12 @@ void Recordings::takeMoment()
     if (begin->moment) {
         m_begins = timeOf(*begin->moment); // the old run stays in the timeline until Play
         m_player.continueFrom(begin->moment);
+        if (m_origin)
+            m_origin->run = m_player.run();
         emit said(tr("Play goes on from %1 s with the design as it is now, as a run of its own.")
                       .arg(secondsText(timeOf(*begin->moment))));
     } else {
-        m_origin.clear();
+        m_origin.reset();
     }
     if (!begin->moment && !m_cancelled)
         emit failed(translated(begin->failure));

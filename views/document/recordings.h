@@ -37,6 +37,8 @@ public:
     void add(std::shared_ptr<Recording> recording);               // and makes it the current one
     void setMemory(std::size_t bytes) { m_player.setRecordingMemory(bytes); } // of each run
     void clear();
+    // Says names that nobody has chosen ("Run 1") in the language that is spoken now.
+    void retranslate();
     void rename(const std::shared_ptr<Recording>& recording, const QString& name);
     void remove(std::shared_ptr<Recording> recording);
 
@@ -122,6 +124,24 @@ private:
         Message failure;
     };
 
+    // Where a branch begins.
+    struct Origin
+    {
+        std::weak_ptr<Recording> recording;
+        double time = 0.0;     // s
+        std::uint64_t run = 0; // that begins there; 0 while its first moment is computed
+    };
+    // What a run was called by the program: once more in another language, unless it was renamed.
+    struct Given
+    {
+        std::weak_ptr<Recording> recording;
+        int number = 0;
+        std::optional<Origin> origin;
+        std::string name;
+    };
+
+    void nameRun(const std::shared_ptr<Recording>& recording);
+    static void say(Given& given);
     static Shown fetch(const Wish& wish);
     Begin compute(const Start& start);
     void take();
@@ -131,7 +151,6 @@ private:
     void makeCurrent(const std::shared_ptr<Recording>& recording);
     void ask();
     void watch();
-    QString nextName() const;
 
     Player& m_player;
     List m_list;
@@ -144,7 +163,8 @@ private:
     bool m_wantsPast = false; // a past frame is asked for or shown
     bool m_showsPast = false;
     std::shared_ptr<Recording> m_live; // of the run of the player
-    QString m_origin;                  // of the branch that is about to begin
+    std::optional<Origin> m_origin;    // of the branch that is about to begin
+    std::vector<Given> m_given;        // of the runs of the list
     QTimer m_watch;
     QElapsedTimer m_clock; // since the last tick
     QTimer m_tick;

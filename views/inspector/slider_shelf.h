@@ -25,6 +25,8 @@ class SliderShelf final : public QObject
 public:
     explicit SliderShelf(Document& document, QObject* parent = nullptr);
 
+    void takeOver(const SliderShelf& before) { take(before.m_sliders); }
+
     // The sliders whose things exist now.
     std::vector<Slider> sliders() const;
     bool has(const Property& property, const std::vector<Id>& ids) const;

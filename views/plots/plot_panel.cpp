@@ -248,6 +248,20 @@ QString PlotPanel::unitOf(Id id) const
     return {};
 }
 
+void PlotPanel::takeOver(const PlotPanel& before)
+{
+    m_history = before.m_history;
+    m_earlier = before.m_earlier;
+    m_runs = before.m_runs;
+    for (std::size_t i = 0; i < m_earlier.size(); ++i)
+        m_earlier[i].name = tr("run %1").arg(m_runs - int(m_earlier.size() - i) + 1);
+    m_own = before.m_own;
+    m_current = before.m_current;
+    m_wantsBands = before.m_wantsBands;
+    rebuildViews();
+    rebuildList();
+}
+
 // --- panels ----------------------------------------------------------------------------------
 
 void PlotPanel::choose(int number)

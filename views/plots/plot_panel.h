@@ -38,6 +38,9 @@ class PlotPanel final : public QWidget
 public:
     PlotPanel(Document& document, Player& player, QWidget* parent = nullptr);
 
+    // Goes on with what another panel has drawn, which is about to go.
+    void takeOver(const PlotPanel& before);
+
     const History& history() const { return m_history; }
     void clear(); // forgets the samples until now; the run goes on
     const std::vector<EarlierRun>& earlier() const { return m_earlier; }

@@ -64,6 +64,7 @@ StudyPanel::StudyPanel(Document& document, Recordings& recordings, std::function
     , m_run(new QPushButton)
     , m_progress(new QProgressBar)
     , m_state(new QLabel)
+    , m_runner(std::make_unique<StudyRunner>())
 {
     m_pages->addWidget(emptyPage());
     auto* sides = new QSplitter;
@@ -84,22 +85,14 @@ StudyPanel::StudyPanel(Document& document, Recordings& recordings, std::function
         showState();
     });
     connect(m_run, &QPushButton::clicked, this, [this] {
-        if (m_runner.task() == StudyRunner::Task::None)
+        if (m_runner->task() == StudyRunner::Task::None)
             run();
         else
             stop();
     });
-    connect(&m_runner, &StudyRunner::opened, this, &StudyPanel::showOpened);
-    connect(&m_runner, &StudyRunner::grew, this, [this] {
-        if (isVisible())
-            m_view->refresh();
-        showState();
-    });
-    connect(&m_runner, &StudyRunner::ended, this, &StudyPanel::showState);
-    connect(&m_runner, &StudyRunner::failed, this, &StudyPanel::showFailure);
-    connect(&m_runner, &StudyRunner::watched, this, &StudyPanel::watched);
+    hearRunner();
     connect(m_view, &StudyView::watchWanted, this, [this](std::size_t point) {
-        m_runner.watch(point);
+        m_runner->watch(point);
         showState();
     });
     connect(m_view, &StudyView::applyWanted, this, &StudyPanel::applyToDesign);
@@ -110,6 +103,43 @@ StudyPanel::StudyPanel(Document& document, Recordings& recordings, std::function
         if (m_file.isEmpty())
             m_pages->setCurrentIndex(0);
     });
+}
+
+void StudyPanel::hearRunner()
+{
+    connect(m_runner.get(), &StudyRunner::opened, this, &StudyPanel::showOpened);
+    connect(m_runner.get(), &StudyRunner::grew, this, [this] {
+        if (isVisible())
+            m_view->refresh();
+        showState();
+    });
+    connect(m_runner.get(), &StudyRunner::ended, this, &StudyPanel::showState);
+    connect(m_runner.get(), &StudyRunner::failed, this, &StudyPanel::showFailure);
+    connect(m_runner.get(), &StudyRunner::watched, this, &StudyPanel::watched);
+}
+
+void StudyPanel::takeOver(StudyPanel& before)
+{
+    before.m_view->setStudy(nullptr, nullptr);
+    before.m_runner->disconnect(&before);
+    std::swap(m_runner, before.m_runner);
+    hearRunner();
+    m_file = before.m_file;
+    m_isEdited = before.m_isEdited;
+    m_fliesOnceOpen = before.m_fliesOnceOpen;
+    if (before.m_pages->currentIndex() == 0)
+        return;
+    showForm(before.m_form->study());
+    if (const OpenedStudy* study = m_runner->study())
+        m_view->setStudy(study, &m_runner->flights());
+    m_pages->setCurrentIndex(1);
+    showState();
+}
+
+void StudyPanel::showForm(const Study& study)
+{
+    m_form->setStudy(
+        study, [this](const StudyVariable& variable) { return unitOf(variable); }, probes());
 }
 
 QWidget* StudyPanel::emptyPage()
@@ -182,14 +212,14 @@ QString StudyPanel::state() const { return m_state->text(); }
 
 QString StudyPanel::unitOf(const StudyVariable& variable) const
 {
-    const Scene& scene = m_runner.study() ? m_runner.study()->scene : m_document.scene();
+    const Scene& scene = m_runner->study() ? m_runner->study()->scene : m_document.scene();
     return QString::fromStdString(ripstop::unitOf(scene, variable.paths.front()));
 }
 
 // Of the scene that is flown, with names that tell them apart.
 QStringList StudyPanel::probes() const
 {
-    const Scene& scene = m_runner.study() ? m_runner.study()->scene : m_document.scene();
+    const Scene& scene = m_runner->study() ? m_runner->study()->scene : m_document.scene();
     std::vector<Layout::Probe> all;
     for (const Entry& entry : scene.items)
         if (const auto* probe = std::get_if<Probe>(&entry.item))
@@ -202,14 +232,13 @@ QStringList StudyPanel::probes() const
 
 void StudyPanel::startNew()
 {
-    m_runner.close();
+    m_runner->close();
     m_view->setStudy(nullptr, nullptr);
     m_file.clear();
     m_isEdited = true;
     Study study;
     study.seconds = usualSeconds;
-    m_form->setStudy(
-        study, [this](const StudyVariable& variable) { return unitOf(variable); }, probes());
+    showForm(study);
     m_pages->setCurrentIndex(1);
     showState();
 }
@@ -246,23 +275,22 @@ void StudyPanel::browse()
 void StudyPanel::open(const QString& file)
 {
     m_fliesOnceOpen = false;
-    m_runner.open(pathOf(file));
+    m_runner->open(pathOf(file));
     showState();
 }
 
 void StudyPanel::showOpened()
 {
-    const OpenedStudy& study = *m_runner.study();
+    const OpenedStudy& study = *m_runner->study();
     m_file = QString::fromStdString(study.file.string());
     m_isEdited = false;
-    m_form->setStudy(
-        study.study, [this](const StudyVariable& variable) { return unitOf(variable); }, probes());
-    m_view->setStudy(&study, &m_runner.flights());
+    showForm(study.study);
+    m_view->setStudy(&study, &m_runner->flights());
     m_pages->setCurrentIndex(1);
     const QString design = QString::fromStdString(study.sceneFile.string());
     const bool flies = std::exchange(m_fliesOnceOpen, false);
     if (flies)
-        m_runner.fly(jobs());
+        m_runner->fly(jobs());
     showState();
     if (!flies)
         emit opened();
@@ -272,7 +300,7 @@ void StudyPanel::showOpened()
 
 bool StudyPanel::isOfTheDesign() const
 {
-    const OpenedStudy* study = m_runner.study();
+    const OpenedStudy* study = m_runner->study();
     return study
            && QFileInfo(QString::fromStdString(study->sceneFile.string()))
                   == QFileInfo(m_document.file());
@@ -323,40 +351,41 @@ void StudyPanel::run()
         m_state->setText(tr("Nothing varies yet: choose Study this on a property."));
         return;
     }
-    const bool isOfOpen = m_runner.study() && !m_isEdited;
+    const bool isOfOpen = m_runner->study() && !m_isEdited;
     if (isOfTheDesign() && m_document.isModified() && !m_saveDesign())
         return;
     if (!isOfOpen && !saveStudy())
         return;
     // opened again in any case: the design may have been saved since
     m_fliesOnceOpen = true;
-    m_runner.open(pathOf(m_file));
+    m_runner->open(pathOf(m_file));
     showState();
 }
 
 void StudyPanel::stop()
 {
     m_fliesOnceOpen = false;
-    m_runner.stop();
+    m_runner->stop();
 }
 
 void StudyPanel::showState()
 {
     using Task = StudyRunner::Task;
-    const Task task = m_runner.task();
+    const Task task = m_runner->task();
     m_title->setText(m_file.isEmpty() ? tr("New study")
                                       : QFileInfo(m_file).fileName().remove(ending()));
     m_title->setToolTip(QDir::toNativeSeparators(m_file));
     m_run->setText(task == Task::None ? tr("&Fly") : tr("&Stop"));
     m_form->setEnabled(task != Task::Flying);
-    const bool isKnown = m_runner.study() != nullptr;
-    const StudyTally tally = m_runner.tally();
+    const bool isKnown = m_runner->study() != nullptr;
+    const StudyTally tally = m_runner->tally();
     // a search does not fly all, and how many is known when it is over
-    const bool isSearch = isKnown && m_runner.study()->study.plan.kind == StudyPlan::Kind::Frontier;
-    const bool isOptimised = isKnown && m_runner.study()->optimiser;
+    const bool isSearch =
+        isKnown && m_runner->study()->study.plan.kind == StudyPlan::Kind::Frontier;
+    const bool isOptimised = isKnown && m_runner->study()->optimiser;
     const auto all = int(isSearch      ? tally.flown
-                         : isOptimised ? Optimiser::most(m_runner.study()->study.plan)
-                                       : m_runner.flights().size());
+                         : isOptimised ? Optimiser::most(m_runner->study()->study.plan)
+                                       : m_runner->flights().size());
     m_progress->setVisible(isKnown || task != Task::None);
     m_progress->setMaximum(task == Task::Opening || task == Task::Watching ? 0 : std::max(1, all));
     m_progress->setValue(int(tally.flown));
@@ -372,12 +401,12 @@ void StudyPanel::showState()
     QString words = tr("Something tore in %1, %2 ended early.").arg(tally.torn).arg(tally.stopped);
     if (tally.inaccurate > 0)
         words += ' ' + tr("%1 missed the wanted accuracy.").arg(tally.inaccurate);
-    if (const double left = m_runner.secondsLeft(); std::isfinite(left))
+    if (const double left = m_runner->secondsLeft(); std::isfinite(left))
         words += ' ' + tr("About %1 left.").arg(timeText(left));
     if (!isOfTheDesign())
         words += ' '
                  + tr("It flies %1, which is not the design that is open.")
-                       .arg(QString::fromStdString(m_runner.study()->study.scene));
+                       .arg(QString::fromStdString(m_runner->study()->study.scene));
     if (m_isEdited)
         words += ' ' + tr("The map is that of the study before you changed it; Fly adds the rest.");
     m_state->setText(words);
@@ -404,11 +433,11 @@ void StudyPanel::showEvent(QShowEvent* event)
 void StudyPanel::watched(const std::shared_ptr<Recording>& recording, std::size_t point,
                          bool isSame)
 {
-    const QString values = StudyView::valuesOf(*m_runner.study(), point);
+    const QString values = StudyView::valuesOf(*m_runner->study(), point);
     recording->setName(values.toStdString());
     recording->setOrigin(m_title->text().toStdString());
     m_recordings.add(recording);
-    const FlightResult* flight = m_runner.flights()[point];
+    const FlightResult* flight = m_runner->flights()[point];
     m_recordings.seekTime(flight && flight->torn > 0
                               ? flight->firstTear
                               : recording->timeOf(recording->frameCount() - 1));
@@ -421,7 +450,7 @@ void StudyPanel::watched(const std::shared_ptr<Recording>& recording, std::size_
 void StudyPanel::applyToDesign(std::size_t point)
 {
     std::vector<Edit> edits;
-    for (const std::string& one : m_runner.study()->assignments(point)) {
+    for (const std::string& one : m_runner->study()->assignments(point)) {
         if (setsControls(one)) // nothing of the design
             continue;
         const auto edit = propertyAssignment(m_document.scene(), one);
@@ -437,12 +466,12 @@ void StudyPanel::applyToDesign(std::size_t point)
         std::ranges::move(edit.changes, std::back_inserter(all.changes));
     m_document.push(std::move(all));
     emit said(tr("The design has the values of the study now: %1")
-                  .arg(StudyView::valuesOf(*m_runner.study(), point)));
+                  .arg(StudyView::valuesOf(*m_runner->study(), point)));
 }
 
 void StudyPanel::saveTable()
 {
-    if (!m_runner.study())
+    if (!m_runner->study())
         return;
     const QString file = QFileDialog::getSaveFileName(this, tr("Save the table"),
                                                       QString(m_file).replace(ending(), ".csv"),
@@ -450,7 +479,7 @@ void StudyPanel::saveTable()
     if (file.isEmpty())
         return;
     if (const auto failure = replaceFile(
-            pathOf(file), studyTable(*m_runner.study(), m_runner.flights()), Flush::ToDisk))
+            pathOf(file), studyTable(*m_runner->study(), m_runner->flights()), Flush::ToDisk))
         QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
     else
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));

@@ -15,6 +15,8 @@
 
 #include <QWidget>
 
+#include <memory>
+
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -37,6 +39,9 @@ public:
     StudyPanel(Document& document, Recordings& recordings, std::function<bool()> saveDesign,
                QWidget* parent = nullptr);
 
+    // Goes on with what another panel shows and flies, which is empty then and about to go.
+    void takeOver(StudyPanel& before);
+
     // Varies this property, in the study that is shown or in a new one of the open design.
     void study(const Property& property, const std::vector<Id>& ids,
                const std::optional<SliderRange>& range);
@@ -46,7 +51,7 @@ public:
     void run(); // saves, and flies what is missing
     void stop();
 
-    const StudyRunner& runner() const { return m_runner; }
+    const StudyRunner& runner() const { return *m_runner; }
     StudyView& view() { return *m_view; }
     StudyForm& form() { return *m_form; }
     QString file() const { return m_file; } // empty while it was never saved
@@ -61,6 +66,8 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void hearRunner();
+    void showForm(const Study& study);
     QWidget* emptyPage();
     QWidget* formSide();
     void startNew();
@@ -89,7 +96,7 @@ private:
     QString m_file;
     bool m_isEdited = false; // since it was written
     bool m_fliesOnceOpen = false;
-    StudyRunner m_runner; // last: it ends before what hears of it
+    std::unique_ptr<StudyRunner> m_runner; // last: it ends before what hears of it
 };
 
 } // namespace ripstop

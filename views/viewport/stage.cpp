@@ -119,6 +119,13 @@ void Stage::setColorBy(ColorBy colorBy)
     m_layersAreOld = true;
 }
 
+void Stage::takeRanges(const Stage& other)
+{
+    m_range = other.m_range;
+    m_fixedRanges = other.m_fixedRanges;
+    m_layersAreOld = true;
+}
+
 void Stage::forgetRanges()
 {
     m_fixedRanges = {};

@@ -42,6 +42,7 @@ public:
     void show(std::shared_ptr<const Frame> frame);
     void setTheme(const Theme& theme);
     void setColorBy(ColorBy colorBy);
+    void takeRanges(const Stage& other);                 // of the colours, of another view
     void forgetRanges();                                 // those that were typed for another scene
     void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
     void setSelected(std::vector<Id> ids);

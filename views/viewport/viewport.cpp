@@ -174,6 +174,19 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
 
 Viewport::~Viewport() = default;
 
+void Viewport::takeOver(const Viewport& before)
+{
+    d->hands = before.d->hands;
+    d->brush = before.d->brush;
+    d->camera = before.d->camera;
+    d->untouched = before.d->untouched;
+    d->wholeScene = before.d->wholeScene;
+    d->stage.takeRanges(before.d->stage);
+    d->stage.setSelected(d->selection.ids());
+    d->chase.settle(d->stage.frame().get());
+    d->screen.renderSoon();
+}
+
 void Viewport::show(std::shared_ptr<const Frame> frame)
 {
     if (d->pointing.holds()) // the camera would follow the hand, and the hand the camera

@@ -41,6 +41,10 @@ public:
     Viewport(Document& document, Selection& selection, Player& player, QWidget* parent = nullptr);
     ~Viewport() override;
 
+    // Shows what another view shows, from where it looks, with the same hands and brush. What the
+    // menus choose comes with them.
+    void takeOver(const Viewport& before);
+
     // Shows this instant until the next one; the player's frames come by themselves.
     void show(std::shared_ptr<const Frame> frame);
     using QWidget::show;
