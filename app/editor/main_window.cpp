@@ -71,7 +71,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_viewport(new Viewport(document, selection, player))
     , m_start(new StartPage(this))
     , m_middle(new QStackedWidget(this))
-    , m_transport(new Transport(document, player, this))
+    , m_transport(new Transport(document, player, *m_recordings, this))
     , m_status(new StatusLine(*statusBar(), document, selection, player))
     , m_files(new Files(document, player, *m_viewport, *this))
     , m_runFiles(new RunFiles(document, *m_recordings, *m_files, *this))

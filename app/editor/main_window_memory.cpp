@@ -43,7 +43,9 @@ void MainWindow::takeOver(MainWindow& before)
     m_docks->takeOver(*before.m_docks);
     if (before.isSceneShown())
         showScene();
-    restoreGeometry(before.saveGeometry());
+    restoreGeometry(before.saveGeometry()); // whether it fills the screen
+    if (!isMaximized() && !isFullScreen())
+        setGeometry(before.geometry());
     restoreState(before.saveState());
     m_menus->takeOver(before.m_actions);
     m_viewport->takeOver(*before.m_viewport);

@@ -176,6 +176,70 @@ private slots:
         shop.runs.disconnect(this);
     }
 
+    // A branch that was reset before it was played has begun nowhere.
+    void aBranchThatWasResetPassesNoOriginOn()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("rope.ripstop.json"));
+        shop.fly(0.5);
+        shop.runs.seekTime(0.3);
+        QTRY_VERIFY(shop.looksAt(0.3));
+        shop.run("continueHere");
+        QTRY_VERIFY(!shop.player.isLookingBack() && !shop.runs.isComputing());
+        shop.run("reset");
+        shop.player.playUntil(0.2);
+        QTRY_COMPARE(shop.runs.list().size(), 2U);
+        QTRY_VERIFY(!shop.player.isPlaying());
+        QCOMPARE(shop.runs.current()->origin(), std::string());
+        QTRY_VERIFY(std::abs(shop.runs.time() - 0.2) < 0.01);
+
+        shop.runs.seekTime(0.1);
+        QTRY_VERIFY(shop.looksAt(0.1));
+        shop.run("continueHere");
+        QTRY_VERIFY(!shop.player.isLookingBack() && !shop.runs.isComputing());
+        shop.player.playUntil(0.3);
+        QTRY_COMPARE(shop.runs.list().size(), 3U);
+        QCOMPARE(shop.runs.current()->origin(), std::string("0.10 s of Run 2"));
+    }
+
+    // One Play for the run and for what was recorded: it acts on what is seen, and says so.
+    void thereIsOneTransport()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("rope.ripstop.json"));
+        shop.fly(1.0);
+        const auto* transport = shop.window.findChild<Transport*>();
+        auto* play = transport->findChild<QToolButton*>("play");
+        const auto* time = transport->findChild<QLabel*>("time");
+        const auto* mode = transport->findChild<QLabel*>("mode");
+        QVERIFY(!shop.timeline.findChild<QToolButton*>("playBack"));
+        shop.player.setSpeed(0.25);
+        shop.runs.seekTime(0.2);
+        QTRY_VERIFY(shop.looksAt(0.2));
+        QCOMPARE(mode->text(), QString("Past"));
+        play->click();
+        QVERIFY(shop.runs.isPlaying() && !shop.player.isPlaying());
+        QCOMPARE(play->text(), QString("Pause"));
+        QTRY_VERIFY(shop.runs.time() > 0.25);
+        play->click();
+        QVERIFY(!shop.runs.isPlaying());
+        QCOMPARE(play->text(), QString("Play"));
+        QVERIFY(shop.runs.time() < 0.9); // at a quarter of the speed of the clock
+
+        QStringList times; // the time does not leap to the end of the run and back
+        connect(&shop.player, &Player::stateChanged, this, [&] { times << time->text(); });
+        const QString here = time->text();
+        shop.run("continueHere");
+        QTRY_VERIFY(!shop.player.isLookingBack() && !shop.runs.isComputing());
+        QTest::qWait(100);
+        for (const QString& one : times)
+            QCOMPARE(one, here);
+        shop.player.disconnect(this);
+        play->click();
+        QVERIFY(shop.player.isPlaying());
+        QCOMPARE(mode->text(), QString("Run"));
+    }
+
     // The buttons of the run are there at any width, and the compass lies beside the tools.
     void smallWindowsKeepTheTransport_data()
     {
@@ -239,7 +303,7 @@ private slots:
         QVERIFY(shop.open("rope.ripstop.json"));
         shop.fly(1.0);
         shop.runs.setLoop(Recordings::Range{0.3, 0.5});
-        shop.runs.setSpeed(10.0);
+        shop.player.setSpeed(10.0);
         shop.runs.play();
         double low = 1e9, high = -1e9;
         for (int i = 0; i < 30; ++i) {

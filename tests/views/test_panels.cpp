@@ -5,6 +5,7 @@
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "document/selection.h"
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
@@ -62,7 +63,8 @@ private slots:
     void transportPlaysStepsAndResets()
     {
         Bench bench(fallingPair());
-        Transport transport(bench.document, bench.player);
+        Recordings recordings(bench.player);
+        Transport transport(bench.document, bench.player, recordings);
         transport.show();
         QTRY_VERIFY(bench.isReady());
         buttonNamed(transport, "play")->click();
@@ -244,7 +246,8 @@ private slots:
         scene.settings.solver = Solver::SmallSteps;
         Bench bench(scene);
         ProblemList problems(bench.document, bench.selection, bench.player);
-        Transport transport(bench.document, bench.player);
+        Recordings recordings(bench.player);
+        Transport transport(bench.document, bench.player, recordings);
         problems.resize(900, 200);
         problems.show();
         transport.show();

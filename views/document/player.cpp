@@ -127,6 +127,8 @@ void Player::goBack()
 
 void Player::continueFrom(std::shared_ptr<const Moment> moment)
 {
+    if (m_past) // what is looked at stays until the new run has a frame
+        m_frame = m_past;
     startOver();
     leaveDesign();
     m_hands.hands = handsOf(*moment);

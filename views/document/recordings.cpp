@@ -17,6 +17,7 @@ namespace {
 
 constexpr int watchInterval = 100; // ms
 constexpr int tickInterval = 16;   // ms
+constexpr double fastest = 10.0;   // s of the recording per s of the clock
 
 QString secondsText(double time) { return QLocale().toString(time, 'f', 2); }
 
@@ -347,12 +348,6 @@ void Recordings::pause()
     emit stateChanged();
 }
 
-void Recordings::setSpeed(double speed)
-{
-    m_speed = speed;
-    emit stateChanged();
-}
-
 void Recordings::setLoop(std::optional<Range> range)
 {
     m_loop = range;
@@ -362,7 +357,8 @@ void Recordings::setLoop(std::optional<Range> range)
 void Recordings::tick()
 {
     const double last = m_current->timeOf(m_current->frameCount() - 1);
-    m_time += m_speed * double(m_clock.restart()) / 1000.0; // ticks are late where drawing is slow
+    const double speed = m_player.speed() > 0.0 ? m_player.speed() : fastest;
+    m_time += speed * double(m_clock.restart()) / 1000.0; // ticks are late where drawing is slow
     if (m_loop && m_time > m_loop->to)
         m_time = m_loop->from;
     const std::size_t frame = m_current->frameAt(m_time);

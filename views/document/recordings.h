@@ -61,11 +61,11 @@ public:
     bool toBookmark(Way way); // false when there is no bookmark that way
 
     // --- playing back ---
+    // At the speed of the player, recorded seconds per second of the clock; ten of them where that
+    // is as fast as it can.
     bool isPlaying() const { return m_tick.isActive(); }
     void play();
     void pause();
-    double speed() const { return m_speed; }
-    void setSpeed(double speed); // recorded seconds per second of the clock
 
     struct Range
     {
@@ -93,7 +93,7 @@ signals:
     void certified();    // there is another certificate of the design
     void grew();         // the current recording has more frames, or other bookmarks
     void moved();        // where one looks
-    void stateChanged(); // playing, speed, loop, computing
+    void stateChanged(); // playing, loop, computing
     void failed(const QString& why);
     void said(const QString& words); // what has been done, for the status bar
     // An event has been jumped to; `more` further events belong to the same frame.
@@ -168,7 +168,6 @@ private:
     QTimer m_watch;
     QElapsedTimer m_clock; // since the last tick
     QTimer m_tick;
-    double m_speed = 1.0;
     double m_time = 0.0; // s, of the playback
     std::optional<Range> m_loop;
     bool m_computing = false;

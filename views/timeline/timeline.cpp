@@ -21,12 +21,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <array>
-
 namespace ripstop {
 namespace {
-
-constexpr std::array speeds{0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0};
 
 QString sizeText(std::size_t bytes)
 {
@@ -51,11 +47,9 @@ Timeline::Timeline(Recordings& recordings, QWidget* parent)
                          tr("Back to the event before: a tear, an edit, a hand, a control")))
     , m_back(button("frameBack", "step-back", tr("A frame back"),
                     tr("One frame back; Shift and the left key in the timeline go ten")))
-    , m_play(button("playBack", "play", tr("Play back"), {}))
     , m_forward(button("frameForward", "step", tr("A frame on"), tr("One frame on")))
     , m_eventForward(
           button("eventForward", "event-next", tr("Next event"), tr("On to the next event")))
-    , m_speed(new QComboBox)
     , m_loop(button("loop", "loop", tr("Loop"), tr("Play a range again and again")))
     , m_bookmark(button("bookmark", "bookmark", tr("Bookmark"),
                         tr("Bookmark this moment, or go to one that has a bookmark")))
@@ -99,12 +93,6 @@ void Timeline::layOut()
     m_runs->setToolTip(tr("The runs that are kept"));
     m_runs->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_runs->setMinimumContentsLength(13);
-    m_speed->setObjectName(QStringLiteral("playbackSpeed"));
-    m_speed->setAccessibleName(tr("Speed of playing back"));
-    m_speed->setToolTip(tr("Recorded seconds per second of the clock"));
-    for (const double speed : speeds)
-        m_speed->addItem(QLocale().toString(speed) + QChar(0x00d7), speed);
-    m_speed->setCurrentIndex(m_speed->findData(m_recordings.speed()));
     for (QToolButton* repeats : {m_back, m_forward})
         repeats->setAutoRepeat(true);
     for (QToolButton* menu : {m_more, m_loop, m_bookmark, m_compare})
@@ -117,8 +105,8 @@ void Timeline::layOut()
     row->addWidget(m_runs);
     row->addWidget(m_more);
     row->addSeparator();
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_eventBack, m_back, m_play, m_forward,
-                                                           m_eventForward, m_speed})
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_eventBack, m_back, m_forward, m_eventForward})
         row->addWidget(widget);
     row->addSeparator();
     for (QToolButton* widget : {m_live, m_continue, m_loop, m_bookmark, m_compare})
@@ -154,10 +142,6 @@ void Timeline::connectButtons()
             [this] { m_recordings.toEvent(Way::Forward); });
     connect(m_back, &QToolButton::clicked, this, [this] { m_recordings.move(-1); });
     connect(m_forward, &QToolButton::clicked, this, [this] { m_recordings.move(1); });
-    connect(m_play, &QToolButton::clicked, this,
-            [this] { m_recordings.isPlaying() ? m_recordings.pause() : m_recordings.play(); });
-    connect(m_speed, &QComboBox::activated, this,
-            [this] { m_recordings.setSpeed(m_speed->currentData().toDouble()); });
     connect(m_continue, &QToolButton::clicked, this, [this] {
         m_recordings.isComputing() ? m_recordings.cancel() : m_recordings.continueHere();
     });
@@ -307,14 +291,11 @@ void Timeline::refresh()
     const auto& recording = m_recordings.current();
     const std::size_t count = recording ? recording->frameCount() : 0;
     for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_eventBack, m_back, m_play, m_forward, m_eventForward,
-                                         m_loop, m_bookmark, m_compare, m_more, m_continue})
+         std::initializer_list<QWidget*>{m_eventBack, m_back, m_forward, m_eventForward, m_loop,
+                                         m_bookmark, m_compare, m_more, m_continue})
         widget->setEnabled(count > 0);
     m_runs->setEnabled(recording != nullptr);
     m_live->setEnabled(m_recordings.isLookingBack());
-    const bool playing = m_recordings.isPlaying();
-    m_play->setIcon(icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
-    m_play->setToolTip(playing ? tr("Hold") : tr("Play the recording back from where you look"));
     const bool computing = m_recordings.isComputing();
     m_continue->setText(computing ? tr("Cancel") : tr("Continue from here"));
     if (count == 0)

@@ -1,7 +1,7 @@
-// The dock in which the user looks back at runs: it chooses the run, plays it back, steps, jumps to
-// events and bookmarks, loops a range, compares with another run, and continues from an instant. It
-// keeps no state of its own: each button calls Recordings, and refresh() shows what that then says.
-// Only the window's thread uses it.
+// The dock in which the user looks back at runs: it chooses the run, steps, jumps to events
+// and bookmarks, loops a range, compares with another run, and continues from an instant. What it
+// shows is played back by the transport of the tool bar. It keeps no state of its own: each button
+// calls Recordings, and refresh() shows what that then says. Only the window's thread uses it.
 #pragma once
 
 #include <QWidget>
@@ -51,10 +51,8 @@ private:
     QToolButton* m_more; // what can be done with a run
     QToolButton* m_eventBack;
     QToolButton* m_back;
-    QToolButton* m_play;
     QToolButton* m_forward;
     QToolButton* m_eventForward;
-    QComboBox* m_speed;
     QToolButton* m_loop;
     QToolButton* m_bookmark;
     QToolButton* m_compare;

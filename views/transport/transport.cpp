@@ -6,6 +6,7 @@
 
 #include "document/document.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "document/words.h"
 #include "icons/icon.h"
 
@@ -21,11 +22,12 @@
 namespace ripstop {
 namespace {
 
-constexpr std::array speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0}; // simulated seconds per second
-constexpr double asFastAsItCan = 0.0;                       // as Player::setSpeed() has it
-constexpr int edge = 6;                                     // px, left and right
-constexpr int between = 4;                                  // px, of its widgets
-constexpr double keepsUp = 0.9;                             // of the speed that was asked for
+constexpr std::array speeds{0.05, 0.1, 0.25, 0.5,
+                            1.0,  2.0, 4.0,  10.0}; // simulated seconds per second
+constexpr double asFastAsItCan = 0.0;               // as Player::setSpeed() has it
+constexpr int edge = 6;                             // px, left and right
+constexpr int between = 4;                          // px, of its widgets
+constexpr double keepsUp = 0.9;                     // of the speed that was asked for
 
 QString ratioText(double ratio, int decimals)
 {
@@ -51,10 +53,11 @@ QLabel* steadyLabel(const QString& widest, const QString& toolTip)
 
 } // namespace
 
-Transport::Transport(Document& document, Player& player, QWidget* parent)
+Transport::Transport(Document& document, Player& player, Recordings& recordings, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_player(player)
+    , m_recordings(recordings)
     , m_reset(button("reset", tr("Reset"),
                      tr("Back to the design: the run is thrown away, controls return to zero.")))
     , m_step(button("step", tr("Step"),
@@ -93,11 +96,12 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
 
     connect(m_reset, &QToolButton::clicked, &player, &Player::reset);
     connect(m_step, &QToolButton::clicked, &player, &Player::step);
-    connect(m_play, &QToolButton::clicked, &player, &Player::toggle);
+    connect(m_play, &QToolButton::clicked, this, &Transport::toggle);
     connect(m_speed, &QComboBox::activated, this,
             [this] { m_player.setSpeed(m_speed->currentData().toDouble()); });
     connect(&player, &Player::stateChanged, this, &Transport::refresh);
     connect(&player, &Player::frameReady, this, &Transport::refreshRun);
+    connect(&recordings, &Recordings::stateChanged, this, &Transport::refresh);
     connect(&document, &Document::replaced, this, &Transport::refresh);
     refresh();
 }
@@ -148,20 +152,34 @@ void Transport::fillSpeeds()
 {
     m_speed->setObjectName(QStringLiteral("speed"));
     m_speed->setAccessibleName(tr("Speed"));
-    m_speed->setToolTip(tr("Simulated seconds per second of the clock"));
+    m_speed->setToolTip(tr("Simulated seconds per second of the clock, also of a recording that is "
+                           "played back"));
     for (const double speed : speeds)
         m_speed->addItem(speedText(speed), speed);
     m_speed->addItem(speedText(asFastAsItCan), asFastAsItCan);
 }
 
+bool Transport::isPast() const { return m_player.isLookingBack() || m_recordings.isPlaying(); }
+
+void Transport::toggle()
+{
+    if (!isPast())
+        return m_player.toggle();
+    m_recordings.isPlaying() ? m_recordings.pause() : m_recordings.play();
+}
+
 void Transport::refresh()
 {
-    const bool playing = m_player.isPlaying();
+    const bool playing = m_player.isPlaying() || m_recordings.isPlaying();
     m_play->setIcon(icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
     m_play->setText(playing ? tr("Pause") : tr("Play"));
     m_play->setAccessibleName(m_play->text());
-    m_play->setToolTip(playing ? tr("Pause: the run stands still and can be played on.")
-                               : tr("Play: run the simulation from where it stands."));
+    m_play->setToolTip(
+        isPast()  ? playing ? tr("Pause: the recording stands still.")
+                            : tr("Play the recording back from where you look (Shift+Space). The "
+                                  "Space key leaves it and goes on with the run.")
+         : playing ? tr("Pause: the run stands still and can be played on.")
+                  : tr("Play: run the simulation from where it stands."));
 
     int index = m_speed->findData(m_player.speed());
     if (index < 0) { // the speed was set from elsewhere
@@ -249,7 +267,11 @@ void Transport::refreshBadge()
     const auto& frame = m_player.frame();
     const bool stuck = frame && !frame->stopped.empty();
     const bool runs = m_player.isPlaying() || (frame && frame->underWay);
-    m_badge->setText(stuck ? tr("Stopped") : runs ? tr("Run") : tr("Edit"));
+    m_badge->setText(isPast() ? tr("Past") : stuck ? tr("Stopped") : runs ? tr("Run") : tr("Edit"));
+    if (isPast())
+        return m_badge->setToolTip(
+            tr("Past: what you see is a moment of a recording. Continue from "
+               "here begins a new run at it; Live goes back to the run."));
     m_badge->setToolTip(stuck  ? translated(frame->stopped)
                         : runs ? tr("Run: what you see is the simulation. Reset returns to the "
                                     "design; properties can be edited in both.")

@@ -1,7 +1,8 @@
-// The bar that runs the simulation: back to the design, one step, play and pause, speed; and where
-// the run stands: the mode, the simulated time, s, how it keeps up with the clock, the
-// substeps, and how true it is. It keeps no state: buttons call the Player, and everything shown is
-// read from the player and its newest frame. Only the window's thread uses it.
+// The bar that runs the simulation, and plays back what was recorded: back to the design, one step,
+// play and pause, speed; and where the run stands: the mode, the simulated time, s, how it keeps up
+// with the clock, the substeps, and how true it is. There is no other one: while one looks back,
+// the button plays the recording, at the same speed. It keeps no state: buttons call Player and
+// Recordings, and everything shown is read from them. Only the window's thread uses it.
 #pragma once
 
 #include <QWidget>
@@ -16,13 +17,15 @@ namespace ripstop {
 
 class Document;
 class Player;
+class Recordings;
 
 class Transport final : public QWidget
 {
     Q_OBJECT
 
 public:
-    Transport(Document& document, Player& player, QWidget* parent = nullptr);
+    Transport(Document& document, Player& player, Recordings& recordings,
+              QWidget* parent = nullptr);
 
     // With all that it says, and with the buttons alone.
     QSize sizeHint() const override;
@@ -34,6 +37,8 @@ protected:
 private:
     QToolButton* button(const char* name, const QString& text, const QString& toolTip);
     void fillSpeeds();
+    void toggle(); // what is seen: the run, or the recording
+    bool isPast() const;
     void refresh();      // what the player is asked to do
     void refreshRun();   // where the run stands
     void refreshRatio(); // simulated seconds per second of the clock
@@ -43,6 +48,7 @@ private:
 
     Document& m_document;
     Player& m_player;
+    Recordings& m_recordings;
     QToolButton* m_reset;
     QToolButton* m_step;
     QToolButton* m_play;
