@@ -13,6 +13,7 @@
 #include "materials/presets.h"
 #include "select/measure.h"
 #include "shaping/operation.h"
+#include "start/parameter_field.h"
 #include "start/samples.h"
 #include "verify/case.h"
 #include "verify/reference.h"
@@ -39,7 +40,7 @@ public:
     void addParameters(std::span<const Parameter> parameters)
     {
         for (const Parameter& parameter : parameters) {
-            m_texts << englishLabel(parameter.key);
+            m_texts << ParameterField::englishLabel(parameter);
             add(parameter.help);
             add(parameter.group);
             addChoices(parameter.choices);

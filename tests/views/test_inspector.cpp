@@ -280,6 +280,51 @@ private slots:
         QCOMPARE(form.value(Id{4}, "mass"), Value(0.5));
     }
 
+    // What does nothing is left out until one asks for it, and comes back when it counts.
+    void rowsWithoutEffectAreLeftOut()
+    {
+        Form form;
+        form.selection.set({Id{5}}); // a rod
+        auto* more = form.inspector.findChild<QToolButton*>("idleFields");
+        const auto idleButton = [&] {
+            for (QToolButton* button : form.inspector.findChildren<QToolButton*>("idleFields"))
+                if (button->isVisible())
+                    more = button;
+            return more;
+        };
+        QVERIFY(idleButton() && more->isVisible());
+        QVERIFY2(more->text().endsWith("more fields do nothing now"), qPrintable(more->text()));
+        QVERIFY(!form.inspector.field("stiffness")->isVisible());
+        QVERIFY(form.inspector.field("compliance")->isVisible());
+        more->click();
+        QVERIFY(form.inspector.field("stiffness")->isVisible());
+        QCOMPARE(more->text(), QString("Hide what does nothing now"));
+        more->click();
+        QVERIFY(!form.inspector.field("stiffness")->isVisible());
+        form.document.push(setValue(form.document.scene(), Id{5}, "kind", std::string("spring")));
+        QVERIFY(form.inspector.field("stiffness")->isVisible());
+        QVERIFY(!form.inspector.field("compliance")->isVisible());
+    }
+
+    // Of the settings, what the solver is about stands at the end, folded; a search finds it.
+    void howItIsComputedIsFolded()
+    {
+        Form form;
+        form.selection.clear();
+        auto* fold = form.inspector.findChild<QToolButton*>("solverFields");
+        QVERIFY(fold && fold->isVisible());
+        QVERIFY(form.inspector.field("gravity")->isVisible());
+        QVERIFY(!form.inspector.field("timeStep")->isVisible());
+        fold->click();
+        QVERIFY(form.inspector.field("timeStep")->isVisible());
+        QVERIFY(form.inspector.field("timeStep")->mapToGlobal(QPoint()).y()
+                > form.inspector.field("gravity")->mapToGlobal(QPoint()).y());
+        fold->click();
+        form.inspector.startSearch();
+        QTest::keyClicks(QApplication::focusWidget(), "time step");
+        QVERIFY(form.inspector.field("timeStep")->isVisible());
+    }
+
     // A row that does nothing says so, and changes its mind with the set-up.
     void rowsWithoutEffectSaySo()
     {

@@ -2,7 +2,8 @@
 // menu with what the buttons do and with the path for the command line. tipOf() puts help, unit,
 // range and effect into the tool tip.
 //
-// filter() shows the rows whose label, key or help has all words that are searched for. refresh()
+// filter() notes the words that are searched for; showRows() shows the rows whose label, key or
+// help has all of them, or without any those that do something and are not folded away. refresh()
 // asks the subject once for all things and shows, row by row, the common value, whether it differs
 // from the default, and whether it has an effect.
 #include "inspector/property_form.h"
@@ -25,6 +26,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 
 namespace ripstop {
 namespace {
@@ -62,7 +64,7 @@ QString tipOf(const Property& property)
 
 constexpr int rowButtonWidth = 18; // px
 
-// A small button at the end of a row, which keeps its place while it is hidden.
+// A small button at the end of a row, in a column that keeps its width while it is hidden.
 QToolButton* rowButton(const QString& picture, const QString& tip, const QString& name)
 {
     auto* button = new QToolButton;
@@ -73,10 +75,19 @@ QToolButton* rowButton(const QString& picture, const QString& tip, const QString
     button->setFocusPolicy(Qt::NoFocus); // the menu of the label and a key do the same
     button->setToolTip(tip);
     button->setAccessibleName(name);
-    QSizePolicy keepsPlace = button->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    button->setSizePolicy(keepsPlace);
     return button;
+}
+
+// How the run is computed, which the automatic solver sees to: who makes a kite comes for the air.
+bool isOfSolver(const Property& property)
+{
+    static const std::array<const Property*, 9> all{
+        &propertyOf<&Settings::timeStep>(),   &propertyOf<&Settings::substeps>(),
+        &propertyOf<&Settings::sweeps>(),     &propertyOf<&Settings::integrator>(),
+        &propertyOf<&Settings::solver>(),     &propertyOf<&Settings::accuracy>(),
+        &propertyOf<&Settings::strainGoal>(), &propertyOf<&Settings::rampTime>(),
+        &propertyOf<&Settings::speedLimit>()};
+    return std::ranges::find(all, &property) != all.end();
 }
 
 bool isTunable(const Property& property)
@@ -98,11 +109,38 @@ PropertyForm::PropertyForm(Subject& subject, UsageWatch& usage, SliderShelf& sli
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
+    for (const int column : {2, 3})
+        grid->setColumnMinimumWidth(column, rowButtonWidth);
     grid->setColumnMinimumWidth(0,
                                 fontMetrics().horizontalAdvance(QStringLiteral("Skin friction")));
     for (const Property& property : propertiesOf(kind))
-        addRow(*grid, property);
+        if (!isOfSolver(property))
+            addRow(*grid, property);
+    if (kind == Kind::Settings) {
+        m_solver = foldButton("solverFields", m_showsSolver);
+        grid->addWidget(m_solver, grid->rowCount(), 0, 1, 4);
+        for (const Property& property : propertiesOf(kind))
+            if (isOfSolver(property))
+                addRow(*grid, property);
+    }
+    m_idle = foldButton("idleFields", m_showsIdle);
+    grid->addWidget(m_idle, grid->rowCount(), 0, 1, 4);
     grid->setRowStretch(grid->rowCount(), 1);
+}
+
+// A discreet line that shows and hides rows.
+QToolButton* PropertyForm::foldButton(const char* name, bool& isOpen)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(name));
+    button->setAutoRaise(true);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setForegroundRole(QPalette::PlaceholderText);
+    connect(button, &QToolButton::clicked, this, [this, &isOpen] {
+        isOpen = !isOpen;
+        refresh();
+    });
+    return button;
 }
 
 void PropertyForm::addRow(QGridLayout& grid, const Property& property)
@@ -111,6 +149,7 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     const QString tip = tipOf(property);
 
     auto* label = new ScrubLabel(labelOf(property));
+    label->setWrapping();
     auto* complaint = new Complaint;
     const auto complain = [complaint](const QString& sentence) { complaint->tell(sentence); };
     Field field = makeField({m_subject, property, *label, complain});
@@ -176,9 +215,9 @@ QToolButton* PropertyForm::remedyButton(const Property& property, QLabel& compla
     return button;
 }
 
-void PropertyForm::refreshRemedy(const Row& row, const QString& idle)
+void PropertyForm::refreshRemedy(const Row& row)
 {
-    const Remedies remedies = idle.isEmpty() || row.label->isHidden()
+    const Remedies remedies = row.idle.isEmpty() || row.label->isHidden()
                                   ? Remedies()
                                   : m_usage.remedies(*row.property, m_subject.ids());
     row.remedy->setVisible(!remedies.empty());
@@ -186,7 +225,7 @@ void PropertyForm::refreshRemedy(const Row& row, const QString& idle)
     row.remedy->setToolTip(
         QStringLiteral("<qt>%1</qt>")
             .arg(tr("<b>Does nothing now:</b> %1.<br>Press: %2.")
-                     .arg(idle.toHtmlEscaped(), remedyWords(remedies).toHtmlEscaped())));
+                     .arg(row.idle.toHtmlEscaped(), remedyWords(remedies).toHtmlEscaped())));
 }
 
 // Gives the label a menu with what the buttons do, and the field a key for the slider.
@@ -233,26 +272,61 @@ void PropertyForm::toggleSlider(const Property& property)
         }
 }
 
+bool PropertyForm::fits(const Row& row) const
+{
+    const QStringList wanted = m_words.simplified().split(QChar(' '), Qt::SkipEmptyParts);
+    const QString about = labelOf(*row.property) + QChar(' ')
+                          + QString::fromUtf8(row.property->key.data()) + QChar(' ')
+                          + helpOf(*row.property);
+    return std::all_of(wanted.begin(), wanted.end(), [&](const QString& word) {
+        return about.contains(word, Qt::CaseInsensitive);
+    });
+}
+
 int PropertyForm::filter(const QString& words)
 {
-    const QStringList wanted = words.simplified().split(QChar(' '), Qt::SkipEmptyParts);
-    int shown = 0;
+    m_words = words;
+    return showRows();
+}
+
+int PropertyForm::showRows()
+{
+    const bool isSearch = !m_words.trimmed().isEmpty();
+    int fitting = 0;
+    int idle = 0;
+    int ofSolver = 0;
     for (const Row& row : m_rows) {
-        const Property& property = *row.property;
-        const QString about = labelOf(property) + QChar(' ')
-                              + QString::fromUtf8(property.key.data()) + QChar(' ')
-                              + helpOf(property);
-        const bool fits = std::all_of(wanted.begin(), wanted.end(), [&](const QString& word) {
-            return about.contains(word, Qt::CaseInsensitive);
-        });
-        row.label->setVisible(fits);
-        row.field.widget->setVisible(fits);
-        row.complaint->setVisible(fits && !row.complaint->text().isEmpty());
-        refreshRemedy(row, m_usage.whyIdle(property, m_subject.ids()));
-        row.reset->setVisible(fits && row.isChanged);
-        shown += fits;
+        const bool isFolded = isOfSolver(*row.property) && !m_showsSolver && !isSearch;
+        const bool isIdle = !row.idle.isEmpty() && !isFolded;
+        const bool isTyped = std::ranges::any_of(
+            row.field.focus, [](const QWidget* one) { return one && one->hasFocus(); });
+        const bool doesFit = fits(row);
+        const bool isShown =
+            doesFit && !isFolded && (!isIdle || m_showsIdle || isSearch || isTyped);
+        row.label->setVisible(isShown);
+        row.field.widget->setVisible(isShown);
+        row.complaint->setVisible(isShown && !row.complaint->text().isEmpty());
+        row.reset->setVisible(isShown && row.isChanged);
+        refreshRemedy(row);
+        fitting += doesFit;
+        idle += isIdle;
+        ofSolver += isOfSolver(*row.property);
     }
-    return shown;
+    m_idle->setVisible(idle > 0 && !isSearch);
+    m_idle->setArrowType(m_showsIdle ? Qt::DownArrow : Qt::RightArrow);
+    m_idle->setText(m_showsIdle ? tr("Hide what does nothing now")
+                    : idle == 1 ? tr("1 more field does nothing now")
+                                : tr("%1 more fields do nothing now").arg(idle));
+    m_idle->setToolTip(tr("Fields that do nothing in the design as it is. Their names say why, and "
+                          "some can be made to count."));
+    if (m_solver) {
+        m_solver->setVisible(!isSearch);
+        m_solver->setArrowType(m_showsSolver ? Qt::DownArrow : Qt::RightArrow);
+        m_solver->setText(tr("How it is computed (%1 fields)").arg(ofSolver));
+        m_solver->setToolTip(tr("Time step, solver and accuracy. The automatic solver chooses "
+                                "what fits."));
+    }
+    return fitting;
 }
 
 void PropertyForm::refresh()
@@ -265,26 +339,25 @@ void PropertyForm::refresh()
         const Common common = Subject::common(property, refs);
         row.field.refresh(common);
         row.isChanged = !common.isDefault && isResettable(property);
-        row.reset->setVisible(row.isChanged && !row.label->isHidden());
         QFont font = this->font();
         font.setBold(row.isChanged);
         row.label->setFont(font);
         if (isTunable(property))
             row.slider->setChecked(m_sliders.has(property, m_subject.ids()));
-        const QString idle = m_usage.whyIdle(property, m_subject.ids());
-        row.label->setIdle(!idle.isEmpty());
-        refreshRemedy(row, idle);
+        row.idle = m_usage.whyIdle(property, m_subject.ids());
+        row.label->setIdle(!row.idle.isEmpty());
         QString tip = row.tip;
         if (row.isChanged)
             tip = tr("%1<br>The default is %2.")
                       .arg(tip, property.choices.empty()
                                     ? QString::fromStdString(textFromValue(property.initial))
                                     : choiceLabel(std::get<std::string>(property.initial)));
-        if (!idle.isEmpty())
-            tip = tr("<b>Does nothing now:</b> %1.<br>%2").arg(idle.toHtmlEscaped(), tip);
+        if (!row.idle.isEmpty())
+            tip = tr("<b>Does nothing now:</b> %1.<br>%2").arg(row.idle.toHtmlEscaped(), tip);
         row.label->setToolTip(QStringLiteral("<qt>%1</qt>").arg(tip));
         row.label->setWhatsThis(row.label->toolTip());
     }
+    showRows();
 }
 
 // Labels lose their bold font when they are first given the font of their window, so it is set

@@ -1,9 +1,11 @@
 // The properties of one kind, a row each: label, field, a button that gives it a slider in the
 // tuning panel or makes it count where it does nothing, and one that restores the default.
 //
-// The rows are made from the property table when the form is made and never change; refresh() only
-// shows values. What differs from the default has a bold label; what does nothing at the moment has
-// a pale one and says why in its tool tip.
+// The rows are made from the property table when the form is made and never change; refresh() shows
+// values, and which rows there are to see. What differs from the default has a bold label. What
+// does nothing at the moment is left out, and a last row says how many those are and shows them:
+// they have a pale label then and say why in its tool tip. Of the settings, how the run is computed
+// is folded away at the end. A search finds all of them.
 #pragma once
 
 #include "inspector/field.h"
@@ -45,19 +47,28 @@ private:
         QToolButton* reset;
         Field field;
         bool isChanged = false; // differs from the default
+        QString idle = {};      // why it does nothing now, or empty
     };
 
     void showEvent(QShowEvent* event) override;
+    QToolButton* foldButton(const char* name, bool& isOpen);
+    bool fits(const Row& row) const; // what is searched for
+    int showRows();                  // and returns how many fit
     void addRow(QGridLayout& grid, const Property& property);
     void addMenu(const Row& row);
     void toggleSlider(const Property& property);
     QToolButton* remedyButton(const Property& property, QLabel& complaint);
-    void refreshRemedy(const Row& row, const QString& idle);
+    void refreshRemedy(const Row& row);
 
     Subject& m_subject;
     UsageWatch& m_usage;
     SliderShelf& m_sliders;
     std::vector<Row> m_rows;
+    QString m_words; // that are searched for
+    bool m_showsIdle = false;
+    bool m_showsSolver = false;
+    QToolButton* m_idle;             // shows what does nothing now
+    QToolButton* m_solver = nullptr; // shows how it is computed; of the settings
 };
 
 } // namespace ripstop

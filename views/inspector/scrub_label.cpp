@@ -7,6 +7,11 @@
 #include <cmath>
 
 namespace ripstop {
+namespace {
+
+constexpr int mostCharacters = 20; // of a name in a line
+
+} // namespace
 
 ScrubLabel::ScrubLabel(const QString& text, QWidget* parent)
     : QLabel(text, parent)
@@ -16,9 +21,20 @@ QSize ScrubLabel::sizeHint() const
 {
     QFont bold = font();
     bold.setBold(true);
+    const QFontMetrics metrics(bold);
+    if (m_wraps) {
+        const QRect room(0, 0, mostCharacters * metrics.averageCharWidth(), QWIDGETSIZE_MAX);
+        return metrics.boundingRect(room, Qt::TextWordWrap, text()).size();
+    }
     QSize size = QLabel::sizeHint();
-    size.setWidth(std::max(size.width(), QFontMetrics(bold).horizontalAdvance(text())));
+    size.setWidth(std::max(size.width(), metrics.horizontalAdvance(text())));
     return size;
+}
+
+void ScrubLabel::setWrapping()
+{
+    m_wraps = true;
+    setWordWrap(true);
 }
 
 void ScrubLabel::setScrubbing(bool on)

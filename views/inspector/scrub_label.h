@@ -19,7 +19,9 @@ public:
     void setScrubbing(bool on);
     void setIdle(bool idle); // shows the label pale, for what does nothing
 
-    // As wide as it is in bold, so that nothing moves when its value is changed.
+    void setWrapping(); // long names take two lines rather than more room than a dock has
+
+    // As large as it is in bold, so that nothing moves when its value is changed.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -33,6 +35,7 @@ private:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
 
+    bool m_wraps = false;
     bool m_scrubbing = false; // can be dragged
     bool m_pressed = false;
     bool m_moving = false;

@@ -5,6 +5,7 @@
 #include "inspector/target_rows.h"
 
 #include "document/document.h"
+#include "document/spoken.h"
 #include "document/words.h"
 
 #include <QGridLayout>
@@ -27,11 +28,7 @@ QColor inkOf(bool isMet, const QPalette& palette)
     return dark ? QColor(0xff, 0x8a, 0x7a) : QColor(0xb3, 0x26, 0x1e);
 }
 
-QString quantity(double value, std::string_view unit)
-{
-    return QString::number(value, 'g', 4) + QChar(0xa0)
-           + QString::fromUtf8(unit.data(), qsizetype(unit.size()));
-}
+QString quantity(double value, std::string_view unit) { return spokenText(value, unit); }
 
 QString differenceOf(const Target& target)
 {
@@ -39,8 +36,7 @@ QString differenceOf(const Target& target)
         return TargetRows::tr("on target");
     const double excess = target.excess();
     const QString amount = quantity(std::abs(excess), target.property->unit);
-    const QString share = QString::number(100.0 * std::abs(excess) / target.wanted, 'g', 3)
-                          + QStringLiteral("\u00a0%");
+    const QString share = spokenText(100.0 * std::abs(excess) / target.wanted, "%", 3);
     return excess > 0.0 ? TargetRows::tr("%1 too much (%2)").arg(amount, share)
                         : TargetRows::tr("%1 missing (%2)").arg(amount, share);
 }

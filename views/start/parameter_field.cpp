@@ -100,7 +100,20 @@ QString unitText(const Parameter& parameter)
 
 } // namespace
 
-QString ParameterField::label(const Parameter& parameter) { return choiceLabel(parameter.key); }
+// Files and the command line have short keys; some are no words that kite builders would know by.
+QString ParameterField::englishLabel(const Parameter& parameter)
+{
+    if (parameter.key == "tow")
+        return QStringLiteral("Tow point");
+    if (parameter.key == "vortex")
+        return QStringLiteral("Lift from the shape");
+    return ripstop::englishLabel(parameter.key);
+}
+
+QString ParameterField::label(const Parameter& parameter)
+{
+    return translated(englishLabel(parameter).toStdString());
+}
 
 ParameterField::ParameterField(const Parameter& parameter, Slider slider, QWidget* parent)
     : QWidget(parent)

@@ -34,7 +34,8 @@ public:
     QString refusal() const; // a sentence, empty while the value is one that can be taken
     void setValue(double value);
 
-    static QString label(const Parameter& parameter); // "End mass"
+    static QString englishLabel(const Parameter& parameter); // "End mass", to be translated
+    static QString label(const Parameter& parameter);
 
 signals:
     void changed();
