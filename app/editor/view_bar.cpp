@@ -4,6 +4,7 @@
 #include "viewport/viewport.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QLayout>
 
@@ -35,6 +36,19 @@ void ViewBar::settle()
     move(std::max((m_viewport.width() - width()) / 2, 0),
          m_viewport.height() - height() - fromLowerEdge);
     raise();
+    tellView();
+}
+
+void ViewBar::hideEvent(QHideEvent* event)
+{
+    QFrame::hideEvent(event);
+    tellView();
+}
+
+// What lies over the view makes room for the bar, once it is where it will be.
+void ViewBar::tellView()
+{
+    QCoreApplication::postEvent(&m_viewport, new QEvent(QEvent::LayoutRequest));
 }
 
 QComboBox* ViewBar::chooser(const QString& name, const QString& help, const QStringList& choices,

@@ -27,6 +27,8 @@ public:
 protected:
     ViewBar(Viewport& viewport, const QString& name); // it is hidden at first
 
+    void hideEvent(QHideEvent* event) override;
+
     void settle(); // takes its place, as large as what it shows now
     QComboBox* chooser(const QString& name, const QString& help, const QStringList& choices,
                        int chosen, const std::function<void(int)>& choose);
@@ -36,6 +38,9 @@ protected:
                                 const std::function<void(double)>& take);
 
     Viewport& m_viewport;
+
+private:
+    void tellView();
 };
 
 } // namespace ripstop

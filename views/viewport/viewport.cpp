@@ -21,6 +21,7 @@ namespace ripstop {
 namespace {
 
 constexpr int corner = 12;    // pixels between the edge and what lies over the view
+constexpr int barGap = 4;     // pixels above the bar of a tool
 constexpr double room = 2.2;  // m, half of what is seen of a scene without anything in it
 constexpr double most = 0.65; // of the width, that a dialog may take from what is fitted
 
@@ -83,11 +84,23 @@ int Viewport::Private::besideTools(const QRect& place) const
     return place.x();
 }
 
+// The upper edge of what would stand here, were there not the bar of a tool.
+int Viewport::Private::aboveBars(const QRect& place) const
+{
+    for (const QObject* child : screen.parentWidget()->children())
+        if (const auto* bar = qobject_cast<const QFrame*>(child);
+            bar && bar->frameShape() == QFrame::StyledPanel && bar->isVisible() && !bar->isWindow()
+            && !qobject_cast<const ToolStrip*>(child) && bar->geometry().intersects(place))
+            return bar->y() - place.height() - barGap;
+    return place.y();
+}
+
 void Viewport::Private::place()
 {
     legend.move(screen.width() - legend.width() - corner, corner);
     const int under = screen.height() - compass.height() - corner;
-    compass.move(besideTools({corner, under, compass.width(), compass.height()}), under);
+    const int left = besideTools({corner, under, compass.width(), compass.height()});
+    compass.move(left, aboveBars({left, under, compass.width(), compass.height()}));
     compass.setCamera(camera);
     centre.show(stage.frame(), camera);
     labels.show(stage.frame(), camera);

@@ -62,6 +62,7 @@ public:
     void prepare();
     void place();
     int besideTools(const QRect& place) const; // its left edge, px
+    int aboveBars(const QRect& place) const;   // its upper edge, px
     std::optional<CameraView> view();          // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();

@@ -74,6 +74,8 @@ bool Viewport::event(QEvent* event)
         if ((key.key() == Qt::Key_Escape && gives) || d->pointing.takesKey(key))
             event->accept();
     }
+    if (event->type() == QEvent::LayoutRequest) // a bar has come, gone or another size
+        d->place();
     return QWidget::event(event);
 }
 
