@@ -7,6 +7,7 @@
 #include "dialogs/ask_file.h"
 #include "dialogs/work_dialog.h"
 #include "document/document.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "io/certificate_table.h"
 #include "io/recording_file.h"
@@ -41,14 +42,19 @@ const Parameter secondsParameter{"--seconds",
                                  false,
                                  "Simulated time; the longer, the less is left of the digits."};
 
-QString number(double value, int digits)
+// To the second digit of its error; what is less than that is nothing.
+QString valueText(const CertifiedProbe& probe)
 {
-    return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : QStringLiteral("–");
-}
-
-QString nameOf(const CertifiedProbe& probe)
-{
-    return withUnit(QString::fromStdString(probe.name), QString::fromStdString(probe.unit));
+    const double value = probe.result.value[0];
+    const double error = probe.result.error;
+    int digits = 8;
+    if (std::isfinite(error) && error > 0.0) {
+        if (std::abs(value) < error)
+            return spokenText(0.0, probe.unit);
+        digits = std::min(digits, 2 + int(std::floor(std::log10(std::abs(value))))
+                                      - int(std::floor(std::log10(error))));
+    }
+    return spokenText(value, probe.unit, digits);
 }
 
 } // namespace
@@ -144,7 +150,7 @@ void CertifyDialog::start()
     m_recording = (**made).flown;
     m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time. The "
                         "plots show it, too, when the design runs as it is now.")
-                         .arg(number(seconds, 6)));
+                         .arg(spokenNumber(seconds)));
     fill();
     emit certified(m_certificate);
 }
@@ -159,9 +165,9 @@ void CertifyDialog::fill()
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];
         const Convergence& result = probe.result;
-        const QStringList cells{nameOf(probe),
-                                number(result.value[0], 8),
-                                number(result.error, 2),
+        const QStringList cells{QString::fromStdString(probe.name),
+                                valueText(probe),
+                                spokenText(result.error, probe.unit, 2),
                                 QLocale().toString(result.digits),
                                 result.converges() ? QLocale().toString(result.order, 'f', 1)
                                                    : QStringLiteral("–"),
@@ -184,7 +190,8 @@ void CertifyDialog::draw()
     if (!m_certificate || row < 0)
         return m_chart->clear();
     const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];
-    m_chart->show(nameOf(probe), m_certificate->time, probe.value, probe.error);
+    m_chart->show({QString::fromStdString(probe.name), QString::fromStdString(probe.unit)},
+                  m_certificate->time, probe.value, probe.error);
 }
 
 void CertifyDialog::saveTable()

@@ -7,6 +7,7 @@
 
 #include "dialogs/beside.h"
 #include "document/player.h"
+#include "document/spoken.h"
 #include "run/settle.h"
 #include "start/parameter_field.h"
 
@@ -45,7 +46,7 @@ const Parameter withinParameter{"--seconds",
                                 false,
                                 "Simulated time; what is not still by then is left as it is."};
 
-QString number(double value) { return QLocale().toString(value, 'g', 3); }
+QString number(double value) { return spokenNumber(value, 3); }
 
 } // namespace
 

@@ -4,6 +4,7 @@
 // exist; and previewOf() joins all into the text under the form.
 #include "files/export_choice.h"
 
+#include "document/spoken.h"
 #include "run/tear_report.h"
 
 #include <QCoreApplication>
@@ -18,7 +19,7 @@ QString tr(const char* text, int n = -1)
     return QCoreApplication::translate("ExportDialog", text, nullptr, n);
 }
 
-QString rounded(double value) { return QLocale().toString(value, 'g', 4); }
+QString rounded(double value) { return spokenNumber(value); }
 
 QString sizeInWords(double bytes)
 {

@@ -21,11 +21,15 @@ Vec3 unit(const Vec3& separation)
 
 } // namespace
 
+bool isOfLedger(Quantity quantity)
+{
+    return quantity >= Quantity::WorkOfAir && quantity <= Quantity::EnergyResidual;
+}
+
 bool wantsLedger(const System& system)
 {
-    return std::ranges::any_of(system.probes, [](const ProbeSpec& probe) {
-        return probe.quantity >= Quantity::WorkOfAir && probe.quantity <= Quantity::EnergyResidual;
-    });
+    return std::ranges::any_of(system.probes,
+                               [](const ProbeSpec& probe) { return isOfLedger(probe.quantity); });
 }
 
 void EnergyLedger::begin(const System& system, const State& state, double h)

@@ -25,6 +25,7 @@
 namespace ripstop {
 
 // A step with a ledger takes two to four times as long.
+bool isOfLedger(Quantity quantity);     // known only in runs that keep one
 bool wantsLedger(const System& system); // a probe reads it
 
 // Follows one step and adds to State::work; it holds scratch arrays only.

@@ -68,7 +68,7 @@ std::size_t Recording::frameOfStep(std::int64_t step) const
     return after == marks.begin() ? 0 : std::size_t(after - marks.begin()) - 1;
 }
 
-Result<std::shared_ptr<const Frame>> Recording::frame(std::size_t number) const
+Result<State> Recording::keptState(std::size_t number) const
 {
     const std::lock_guard reading(d->readMutex);
     const std::size_t entry = d->entryOfFrame(number);
@@ -78,8 +78,23 @@ Result<std::shared_ptr<const Frame>> Recording::frame(std::size_t number) const
     const std::size_t place = number - d->entryAt(entry).firstFrame;
     if (place >= (*chunk)->frames.size())
         return Failure{"The recording is damaged at this frame; choose another one."};
-    const KeptFrame& kept = *(*chunk)->frames[place];
-    return d->show(d->entryAt(entry).design, stateOf(**chunk, kept), hashOf(kept.step));
+    return stateOf(**chunk, *(*chunk)->frames[place]);
+}
+
+int Recording::designOf(std::size_t number) const
+{
+    const std::lock_guard reading(d->readMutex);
+    return d->entryAt(d->entryOfFrame(number)).design;
+}
+
+Result<std::shared_ptr<const Frame>> Recording::frame(std::size_t number) const
+{
+    Result<State> state = keptState(number);
+    if (!state)
+        return state.failure();
+    const std::lock_guard reading(d->readMutex);
+    const int design = d->entryAt(d->entryOfFrame(number)).design;
+    return d->show(design, std::move(*state), hashOf(stepOf(number)));
 }
 
 Result<std::shared_ptr<const Frame>> Recording::exactFrame(std::int64_t step,

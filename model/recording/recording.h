@@ -70,6 +70,10 @@ public:
     // system share a layout. Takes some milliseconds more when another stretch is unpacked for it.
     Result<std::shared_ptr<const Frame>> frame(std::size_t frame) const;
 
+    // What is kept of the state at a frame, and the number of the design that it is one of.
+    Result<State> keptState(std::size_t frame) const;
+    int designOf(std::size_t frame) const;
+
     // To the bit, by computing the steps since the exact state before again.
     Result<std::shared_ptr<const Frame>> exactFrame(std::int64_t step,
                                                     const Progress& progress = {}) const;

@@ -50,8 +50,8 @@
     </message>
     <message>
         <location filename="band_chart.cpp"/>
-        <source>Time (s)</source>
-        <translation>Temps (s)</translation>
+        <source>time</source>
+        <translation>temps</translation>
     </message>
     <message>
         <location filename="bend_force.cpp"/>
@@ -487,11 +487,6 @@
         <location filename="chart.cpp"/>
         <source>error band</source>
         <translation>bande d’erreur</translation>
-    </message>
-    <message>
-        <location filename="chart.cpp"/>
-        <source>time (s)</source>
-        <translation>temps (s)</translation>
     </message>
     <message>
         <location filename="chart_style.cpp"/>
@@ -1380,18 +1375,8 @@
     </message>
     <message>
         <location filename="difference_dialog.cpp"/>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <location filename="difference_dialog.cpp"/>
         <source>%1 s: %2 root mean square, %3 at most (particle %4)</source>
         <translation>%1 s : moyenne quadratique %2, au plus %3 (particule %4)</translation>
-    </message>
-    <message>
-        <location filename="difference_dialog.cpp"/>
-        <source>%1 µm</source>
-        <translation>%1 µm</translation>
     </message>
     <message>
         <location filename="difference_dialog.cpp"/>
@@ -6214,11 +6199,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Spectres</translation>
     </message>
     <message>
-        <location filename="plot_menu.cpp"/>
-        <source>time</source>
-        <translation>temps</translation>
-    </message>
-    <message>
         <location filename="plot_panel.cpp"/>
         <source>Do not plot %1</source>
         <translation>Ne pas tracer %1</translation>
@@ -6254,6 +6234,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>simulation %1</translation>
     </message>
     <message>
+        <location filename="plot_past.cpp"/>
+        <source>%1, known from %2 on</source>
+        <translation>%1, connu depuis %2</translation>
+    </message>
+    <message>
         <location filename="plot_view.cpp"/>
         <source>Choose the probe that the curves are against: right click.</source>
         <translation>Choisissez la sonde en abscisse des courbes : clic droit.</translation>
@@ -6270,8 +6255,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_view.cpp"/>
-        <source>frequency (Hz)</source>
-        <translation>fréquence (Hz)</translation>
+        <source>frequency</source>
+        <translation>fréquence</translation>
     </message>
     <message>
         <location filename="ply_file.cpp"/>
@@ -6635,8 +6620,18 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
+        <source>%1 more fields do nothing now</source>
+        <translation>%1 autres champs sans effet ici</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
         <source>%1&lt;br&gt;The default is %2.</source>
         <translation>%1&lt;br&gt;La valeur par défaut est %2.</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>1 more field does nothing now</source>
+        <translation>1 autre champ sans effet ici</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
@@ -6675,8 +6670,23 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
+        <source>Fields that do nothing in the design as it is. Their names say why, and some can be made to count.</source>
+        <translation>Des champs sans effet dans le modèle tel qu’il est. Leurs noms disent pourquoi, et certains peuvent être rendus utiles.</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
         <source>From %1</source>
         <translation>À partir de %1</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Hide what does nothing now</source>
+        <translation>Masquer ce qui est sans effet</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>How it is computed (%1 fields)</source>
+        <translation>Comment c’est calculé (%1 champs)</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
@@ -6717,6 +6727,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="property_form.cpp"/>
         <source>Takes effect on reset</source>
         <translation>Prend effet à la réinitialisation</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Time step, solver and accuracy. The automatic solver chooses what fits.</source>
+        <translation>Pas de temps, solveur et précision. Le solveur automatique choisit ce qui convient.</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
@@ -11877,6 +11892,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Lift from the shape</source>
+        <translation>Portance selon la forme</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Lift over drag.</source>
         <translation>Portance sur traînée.</translation>
     </message>
@@ -14087,8 +14107,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
-        <source>Tow</source>
-        <translation>Attache</translation>
+        <source>Tow point</source>
+        <translation>Point d’attache</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15242,11 +15262,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="timeline.cpp"/>
-        <source>Hold</source>
-        <translation>Suspendre</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
         <source>In memory: %1, on disk: %2</source>
         <translation>En mémoire : %1, sur le disque : %2</translation>
     </message>
@@ -15302,16 +15317,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="timeline.cpp"/>
-        <source>Play back</source>
-        <translation>Rejouer</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
-        <source>Play the recording back from where you look</source>
-        <translation>Rejouer l’enregistrement à partir de ce moment</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
         <source>Previous event</source>
         <translation>Événement précédent</translation>
     </message>
@@ -15319,11 +15324,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="timeline.cpp"/>
         <source>Re&amp;move this run</source>
         <translation>&amp;Supprimer cette simulation</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
-        <source>Recorded seconds per second of the clock</source>
-        <translation>Secondes enregistrées par seconde d’horloge</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -15344,11 +15344,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="timeline.cpp"/>
         <source>Show another run at the same time as a ghost</source>
         <translation>Montrer une autre simulation en même temps comme un fantôme</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
-        <source>Speed of playing back</source>
-        <translation>Vitesse de lecture</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -15843,8 +15838,23 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="transport.cpp"/>
+        <source>Past</source>
+        <translation>Passé</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Past: what you see is a moment of a recording. Continue from here begins a new run at it; Live goes back to the run.</source>
+        <translation>Passé : ce que vous voyez est un instant d’un enregistrement. Continuer d’ici y commence une nouvelle simulation ; Direct revient à la simulation.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Pause: the recording stands still.</source>
+        <translation>Pause : l’enregistrement s’arrête.</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>
@@ -15855,6 +15865,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="transport.cpp"/>
         <source>Play</source>
         <translation>Lancer</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Play the recording back from where you look (Shift+Space). The Space key leaves it and goes on with the run.</source>
+        <translation>Rejouer l’enregistrement à partir d’ici (Maj+Espace). La touche Espace le quitte et continue la simulation.</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>
@@ -15873,8 +15888,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="transport.cpp"/>
-        <source>Simulated seconds per second of the clock</source>
-        <translation>Secondes simulées par seconde d’horloge</translation>
+        <source>Simulated seconds per second of the clock, also of a recording that is played back</source>
+        <translation>Secondes simulées par seconde d’horloge, aussi pour un enregistrement rejoué</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>

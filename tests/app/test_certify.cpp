@@ -29,7 +29,7 @@ private slots:
         QCOMPARE(table->rowCount(), 0);
         QTest::mouseClick(dialog.findChild<QPushButton*>("start"), Qt::LeftButton);
         QCOMPARE(table->rowCount(), 1); // the click returns when it is done
-        QCOMPARE(table->item(0, 0)->text(), QString("corner (m)"));
+        QCOMPARE(table->item(0, 0)->text(), QString("corner"));
         QVERIFY(table->item(0, 3)->text().toInt() >= 0);
         const QString said = dialog.findChild<QLabel*>("state")->text();
         QVERIFY2(said.startsWith("After 2 s"), qPrintable(said));

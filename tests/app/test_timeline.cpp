@@ -224,7 +224,8 @@ private slots:
         play->click();
         QVERIFY(!shop.runs.isPlaying());
         QCOMPARE(play->text(), QString("Play"));
-        QVERIFY(shop.runs.time() < 0.9); // at a quarter of the speed of the clock
+        QVERIFY(shop.runs.time() < 0.9);             // at a quarter of the speed of the clock
+        QTRY_VERIFY(shop.looksAt(shop.runs.time())); // frames are fetched on another thread
 
         QStringList times; // the time does not leap to the end of the run and back
         connect(&shop.player, &Player::stateChanged, this, [&] { times << time->text(); });

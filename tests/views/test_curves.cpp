@@ -175,7 +175,7 @@ private slots:
         QTemporaryDir folder;
         XyChart chart;
         chart.resize(400, 300);
-        chart.show("x", "y", {{"one", Qt::red, {0, 1, 2}, {0, 1, 4}}});
+        chart.show({"x", {}}, {"y", {}}, {{"one", Qt::red, {0, 1, 2}, {0, 1, 4}}});
         const QString path = folder.filePath(file);
         QVERIFY(savePicture(chart.plot(), path));
         if (file.endsWith(".png"))
@@ -199,7 +199,7 @@ private slots:
     {
         XyChart chart;
         chart.setLogarithmic(true);
-        chart.show("x", "y", {{"one", Qt::red, {0, 1, 2, 3}, {-5, 0, 1, 100}}});
+        chart.show({"x", {}}, {"y", {}}, {{"one", Qt::red, {0, 1, 2, 3}, {-5, 0, 1, 100}}});
         QVERIFY(chart.valueRange().second >= 100.0 && chart.valueRange().second < 1000.0);
     }
 };

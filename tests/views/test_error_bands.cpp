@@ -1,5 +1,6 @@
 // Bands of what values may be off by, around the curves of runs that are certified: how wide they
 // are, where they end, and what a certified recording brings.
+#include "document/spoken.h"
 #include "run/certify.h"
 #include "views/plot_desk.h"
 #include "views/run_with_widgets.h"
@@ -186,7 +187,7 @@ private slots:
         };
         QTRY_VERIFY(isToldOnMoving());
         const double half = 1.25 * 0.5 * g * 30 * h * h; // m
-        QVERIFY2(QToolTip::text().contains(QString("± %1 m").arg(half, 0, 'g', 2)),
+        QVERIFY2(QToolTip::text().contains(QString("± ") + spokenText(half, "m", 2)),
                  qPrintable(QToolTip::text()));
     }
 

@@ -94,8 +94,8 @@ private slots:
         const QTreeWidgetItem& row = *bench.panel.now().topLevelItem(0);
         // 0.5 kg x 9.80665 m/s^2 / 40 N = 0.123
         QTRY_COMPARE(row.text(LoadList::Margin), QString("0.123"));
-        QCOMPARE(row.text(LoadList::Load), QString("4.90 N"));
-        QCOMPARE(row.text(LoadList::Strength), QString("40.0 N"));
+        QCOMPARE(row.text(LoadList::Load), QString("4.9\u00a0N"));
+        QCOMPARE(row.text(LoadList::Strength), QString("40\u00a0N"));
         QCOMPARE(row.text(LoadList::Place), QString("dacron, link 4"));
 
         QSignalSpy chosen(&bench.panel, &LoadPanel::chosen);

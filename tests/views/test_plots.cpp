@@ -56,6 +56,15 @@ std::vector<std::uint32_t> probesIn(PlotView& view)
     return ids;
 }
 
+QStringList probesNamed(PlotView& view, const QString& name)
+{
+    QStringList names;
+    for (const Curve& curve : view.curves())
+        if (curve.name == name)
+            names << curve.name;
+    return names;
+}
+
 using Ids = std::vector<std::uint32_t>;
 
 } // namespace
@@ -83,6 +92,39 @@ private slots:
         QCOMPARE(desk.plots.viewCount(), 1);
         desk.document.history().undo();
         QCOMPARE(desk.plots.viewCount(), 2);
+    }
+
+    // A probe that comes after the flight has the curve that it would have had, from the frames of
+    // the recording; what no recording has begins when it was added, and says so.
+    void aNewProbeHasAPast()
+    {
+        Desk desk;
+        desk.fly(0.4);
+        Probe late;
+        late.name = "late";
+        late.target = Id{2};
+        const auto add = [&](Id id, Quantity quantity) {
+            late.quantity = quantity;
+            desk.document.push({Message("Add %1", late.name),
+                                {AddItem{desk.document.scene().items.size(), {id, late}}}});
+        };
+        const auto values = [&](std::uint32_t id) { return desk.plots.history().valuesOf(id); };
+        add(Id{20}, Quantity::PositionY);
+        QTRY_VERIFY(values(20).size() > 10 && std::isfinite(values(20).front()));
+        const auto time = desk.plots.history().time();
+        QCOMPARE(values(20).size(), time.size());
+        constexpr double g = 9.80665, h = 0.01; // as it falls, to what the integrator is off by
+        for (std::size_t i = 0; i < time.size(); ++i)
+            QVERIFY2(std::abs(values(20)[i] - (10.0 - 0.5 * g * time[i] * time[i]))
+                         <= g * h * (time[i] + h),
+                     qPrintable(QString::number(time[i])));
+        QTRY_VERIFY(probesNamed(desk.plots.view(), "late").size() == 1);
+
+        late.name = "clock";
+        late.target = noId;
+        add(Id{21}, Quantity::StepsPerSecond);
+        desk.fly(0.6);
+        QTRY_COMPARE(probesNamed(desk.plots.view(), "clock, known from 0.4\u00a0s on").size(), 1);
     }
 
     // A way to look stays with the desk while no plot is kept, and is an edit of the one that is.

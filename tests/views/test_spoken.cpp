@@ -106,6 +106,61 @@ private slots:
         QVERIFY(std::abs(typed.number->number - value) <= 1e-6 * std::abs(value));
     }
 
+    // One unit for all numbers of an axis, that of the largest, and as many decimals as steps need.
+    void axes_data()
+    {
+        QTest::addColumn<double>("largest");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<bool>("isShare");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("step");
+        QTest::addColumn<QString>("said");
+        const auto row = [](double largest, const char* unit, bool isShare, double value,
+                            double step, const char* said) {
+            QTest::newRow(said) << largest << QString::fromUtf8(unit) << isShare << value << step
+                                << QString::fromUtf8(said);
+        };
+        row(8e-4, "m", false, 5e-4, 1e-4, "0.5 mm");
+        row(0.273, "m", false, 0.2, 0.05, "0.20 m");
+        row(24e3, "N", false, 5e3, 5e3, "5 kN");
+        row(2e-3, "", true, 5e-4, 5e-4, "0.05 %");
+        row(3.0, "s", false, 0.1 + 0.2 - 0.3, 0.5, "0 s"); // what rounding leaves
+        row(5e-4, "kg/m", false, 2e-4, 1e-4, "0.2 g/m");
+    }
+    void axes()
+    {
+        QFETCH(double, largest);
+        QFETCH(QString, unit);
+        QFETCH(bool, isShare);
+        QFETCH(double, value);
+        QFETCH(double, step);
+        QFETCH(QString, said);
+        const SpokenScale scale = spokenScale(largest, unit.toStdString(), isShare);
+        QCOMPARE(scale.atStep(value, step) + ' ' + scale.unit, said);
+    }
+
+    void stepsAreRound()
+    {
+        for (const auto& [least, step] : {std::pair{0.7, 1.0},
+                                          {1.0, 1.0},
+                                          {1.1, 2.0},
+                                          {2.5, 5.0},
+                                          {5.952, 10.0},
+                                          {0.273, 0.5},
+                                          {3e-5, 5e-5}})
+            QVERIFY2(std::abs(roundStep(least) - step) < 1e-9 * step,
+                     qPrintable(QString::number(least)));
+        QCOMPARE(roundStep(0.0), 0.0);
+    }
+
+    // Numbers in sentences of the engine have no exponents either.
+    void sentences()
+    {
+        QCOMPARE(translated(Message::number("%.3g", 1.04e-5)), QString("0.0000104"));
+        QCOMPARE(translated(Message::number("%.3g", 2.5e7)), QString("25000000"));
+        QCOMPARE(translated(Message::number("%.3g", 0.25)), QString("0.25"));
+    }
+
     void micrometresCanBeTyped()
     {
         const Typed typed = typedNumber("30 \u00b5m", "m");

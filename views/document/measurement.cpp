@@ -5,7 +5,7 @@
 // no longer part of the design.
 #include "document/measurement.h"
 
-#include "document/words.h"
+#include "document/spoken.h"
 
 #include <Eigen/Geometry>
 
@@ -148,9 +148,7 @@ QString readingOf(const Frame& frame, Id element)
         if (!place || !key.kinds.contains(place->kind))
             continue;
         const double value = valueOf(frame, told, place->kind, place->row);
-        const double brief = QString::number(value, 'g', 3).toDouble();
-        texts << compactNumber(brief) + ' '
-                     + QString::fromUtf8(key.unit.data(), qsizetype(key.unit.size()));
+        texts << spokenText(value, key.unit, 3);
     }
     return texts.join(QStringLiteral(" · "));
 }

@@ -1,5 +1,6 @@
 // plain() writes a number without an exponent. prefixed() finds the units that a value may be said
-// in: those of the first word of its unit with a prefix, as far as units.h can read them back.
+// in: those of the first word of its unit with a prefix, as far as units.h can read them back. A
+// scale takes that of its largest value.
 #include "document/spoken.h"
 
 #include "document/words.h"
@@ -119,13 +120,6 @@ bool isNothing(double value, std::string_view unit)
     return std::abs(value) < (unit == "%" ? 100.0 * nothing : nothing);
 }
 
-bool isShare(Quantity quantity)
-{
-    return quantity == Quantity::Strain || quantity == Quantity::MaxStrain
-           || quantity == Quantity::MeanStrain || quantity == Quantity::HighStrain
-           || quantity == Quantity::WrinkledShare;
-}
-
 } // namespace
 
 QString Spoken::text() const { return unit.isEmpty() ? number : number + QChar(0x00a0) + unit; }
@@ -144,10 +138,65 @@ QString spokenText(double value, std::string_view unit, int digits)
     return std::isfinite(value) ? spoken(value, unit, digits).text() : QString(QChar(0x2013));
 }
 
+bool isSaidInPercent(Quantity quantity)
+{
+    return quantity == Quantity::Strain || quantity == Quantity::MaxStrain
+           || quantity == Quantity::MeanStrain || quantity == Quantity::HighStrain
+           || quantity == Quantity::WrinkledShare;
+}
+
+QString readingText(bool isShare, double value, std::string_view unit, int digits)
+{
+    return isShare ? spokenText(100.0 * value, "%", digits) : spokenText(value, unit, digits);
+}
+
 QString readingText(Quantity quantity, double value, std::string_view unit, int digits)
 {
-    return isShare(quantity) ? spokenText(100.0 * value, "%", digits)
-                              : spokenText(value, unit, digits);
+    return readingText(isSaidInPercent(quantity), value, unit, digits);
+}
+
+QString spokenNumber(double value, int digits)
+{
+    return std::isfinite(value) ? plain(value, digits) : QString(QChar(0x2013));
+}
+
+double heldValue(double value) { return std::abs(value) < nothing ? 0.0 : value; }
+
+double roundStep(double least)
+{
+    if (!(least > 0.0) || !std::isfinite(least))
+        return 0.0;
+    const double power = std::pow(10.0, std::floor(std::log10(least) + 1e-9));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * power >= least * (1.0 - 1e-9))
+            return step * power;
+    return 10.0 * power;
+}
+
+SpokenScale spokenScale(double largest, std::string_view unit, bool isShare)
+{
+    if (isShare)
+        return {0.01, QStringLiteral("%")};
+    const Prefixes* row = prefixesOf(unit);
+    if (!row || heldValue(largest) == 0.0)
+        return {1.0, text(unit)};
+    const Said said = prefixed(largest, unit, row->least, mostPlain);
+    return {unitFactor(said.unit, unit).value_or(1.0), text(said.unit)};
+}
+
+QString SpokenScale::number(double value, int digits) const
+{
+    return spokenNumber(heldValue(value) / factor, digits);
+}
+
+QString SpokenScale::atStep(double value, double step) const
+{
+    const double said = value / factor;
+    const double apart = step / factor;
+    if (!(apart > 0.0) || std::abs(said) < 1e-6 * apart)
+        return QStringLiteral("0");
+    const int decimals = std::clamp(int(std::ceil(-std::log10(apart) - 1e-9)), 0, 20);
+    return QString::number(said, 'f', decimals).replace(QChar('.'), QLocale().decimalPoint());
 }
 
 Spoken spokenInField(double value, std::string_view unit)

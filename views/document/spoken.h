@@ -27,10 +27,35 @@ struct Spoken
 // `value` is in `unit`; `digits` are those that count.
 Spoken spoken(double value, std::string_view unit, int digits = 4);
 
+// One unit for numbers that stand together, on an axis or in a column.
+struct SpokenScale
+{
+    double factor = 1.0; // of a number that is said, to the unit of the values
+    QString unit;        // that it is said in
+
+    QString number(double value, int digits = 4) const; // as many as count
+    QString atStep(double value, double step) const;    // as many as the step between them needs
+};
+
+// That in which the largest of them is said; shares (`isShare`) are said in percent.
+SpokenScale spokenScale(double largest, std::string_view unit, bool isShare = false);
+
+// The smallest of 1, 2 and 5 times a power of ten that is not below this; 0 for nothing.
+double roundStep(double least);
+
+// Zero for what is less than what the engine holds.
+double heldValue(double value);
+
+bool isSaidInPercent(Quantity quantity); // strains, which are shares
+
 // The same as one text; a dash for what is no number.
 QString spokenText(double value, std::string_view unit, int digits = 4);
 
-// What a probe of this quantity reads: strains are said in percent.
+// A number alone, without exponents, however small.
+QString spokenNumber(double value, int digits = 4);
+
+// What a probe reads: shares, such as strains, are said in percent.
+QString readingText(bool isShare, double value, std::string_view unit, int digits = 4);
 QString readingText(Quantity quantity, double value, std::string_view unit, int digits = 4);
 
 // For a field, which has its unit beside the number: only numbers that cannot be said in that unit

@@ -9,7 +9,9 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 
+#include <algorithm>
 #include <array>
 
 namespace ripstop {
@@ -47,6 +49,19 @@ QString translated(const char* context, const char* text)
     return QCoreApplication::translate(context, text);
 }
 
+// As people write it: 1.2e-05 is 0.000012.
+QString withoutExponent(const QString& number)
+{
+    const qsizetype sign = number.indexOf(QChar('e'));
+    bool isNumber = false;
+    const double value = number.toDouble(&isNumber);
+    if (sign < 0 || !isNumber)
+        return number;
+    const int digits = int(number.left(sign).count(QRegularExpression(QStringLiteral("\\d"))));
+    const int decimals = digits - 1 - number.mid(sign + 1).toInt();
+    return QString::number(value, 'f', std::max(0, decimals));
+}
+
 } // namespace
 
 QString text(std::string_view utf8)
@@ -73,7 +88,7 @@ QString translated(const Message& message)
         case Message::Kind::Number:
             break;
         }
-        return QString::fromStdString(english)
+        return withoutExponent(QString::fromStdString(english))
             .replace(QChar('.'), QLocale().decimalPoint())
             .toStdString();
     }));

@@ -81,12 +81,12 @@ QToolButton* rowButton(const QString& picture, const QString& tip, const QString
 // How the run is computed, which the automatic solver sees to: who makes a kite comes for the air.
 bool isOfSolver(const Property& property)
 {
-    static const std::array<const Property*, 9> all{
-        &propertyOf<&Settings::timeStep>(),   &propertyOf<&Settings::substeps>(),
-        &propertyOf<&Settings::sweeps>(),     &propertyOf<&Settings::integrator>(),
-        &propertyOf<&Settings::solver>(),     &propertyOf<&Settings::accuracy>(),
-        &propertyOf<&Settings::strainGoal>(), &propertyOf<&Settings::rampTime>(),
-        &propertyOf<&Settings::speedLimit>()};
+    static const std::array<const Property*, 10> all{
+        &propertyOf<&Settings::timeStep>(),     &propertyOf<&Settings::substeps>(),
+        &propertyOf<&Settings::sweeps>(),       &propertyOf<&Settings::integrator>(),
+        &propertyOf<&Settings::solver>(),       &propertyOf<&Settings::accuracy>(),
+        &propertyOf<&Settings::strainGoal>(),   &propertyOf<&Settings::rampTime>(),
+        &propertyOf<&Settings::tearsPerStep>(), &propertyOf<&Settings::speedLimit>()};
     return std::ranges::find(all, &property) != all.end();
 }
 

@@ -1,6 +1,7 @@
 // Numbers and words of a row first, then the columns, then the rows as they are filled.
 #include "loads/load_list.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 #include "icons/tinted.h"
 #include "scene/property.h"
@@ -8,25 +9,14 @@
 
 #include <QHeaderView>
 
-#include <algorithm>
-#include <cmath>
-
 namespace ripstop {
 namespace {
 
 constexpr double nearBreaking = 0.8; // 1, from where on a margin has a sign
 
-// To three digits, which is more than is known of what breaks.
-QString rounded(double value)
-{
-    const int decimals = value > 0.0 ? 2 - int(std::floor(std::log10(value))) : 0;
-    return QLocale().toString(value, 'f', std::clamp(decimals, 0, 9));
-}
+constexpr int digits = 3; // which is more than is known of what breaks
 
-QString amount(double value, LoadKind kind)
-{
-    return QStringLiteral("%1 %2").arg(rounded(value), QString::fromLatin1(unitOf(kind)));
-}
+QString amount(double value, LoadKind kind) { return spokenText(value, unitOf(kind), digits); }
 
 Id materialOf(const Scene& scene, Id element)
 {
@@ -110,7 +100,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
     for (int row = 0; row < int(places.size()); ++row) {
         const LoadedPlace& place = places[std::size_t(row)];
         QTreeWidgetItem& item = *topLevelItem(row);
-        item.setText(Margin, rounded(place.margin()));
+        item.setText(Margin, spokenText(place.margin(), {}, digits));
         item.setIcon(Margin, signOf(place.margin()));
         item.setText(Place, placeWords(scene, Id{place.element}));
         item.setData(Place, Qt::UserRole, place.element);
@@ -119,7 +109,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         item.setText(Load, amount(place.load, place.kind));
         item.setToolTip(Load, loadWords(place.kind));
         item.setText(Strength, amount(place.strength, place.kind));
-        item.setText(Time, QStringLiteral("%1 s").arg(QLocale().toString(place.time, 'f', 2)));
+        item.setText(Time, spokenText(place.time, "s", 3));
         for (const Column column : {Margin, Load, Strength, Time})
             item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }

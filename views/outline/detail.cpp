@@ -1,5 +1,6 @@
 #include "outline/detail.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 #include "select/rows_among.h"
 
@@ -40,7 +41,7 @@ struct Writer
     QString operator()(const Wind& wind) const
     {
         const double speed = wind.kind == WindKind::Gusts ? wind.gustiness : wind.velocity.norm();
-        return QLocale().toString(speed, 'g', 3) + QStringLiteral(" m/s");
+        return spokenText(speed, "m/s", 3);
     }
     QString operator()(const Control& control) const
     {

@@ -8,15 +8,17 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
 namespace {
 
-constexpr int inset = 12;      // pixels
-constexpr int barWidth = 16;   // pixels
-constexpr int barHeight = 200; // pixels
-constexpr int gap = 8;         // pixels
+constexpr int inset = 12;         // pixels
+constexpr int barWidth = 16;      // pixels
+constexpr int barHeight = 200;    // pixels
+constexpr int gap = 8;            // pixels
+constexpr double mostSteps = 5.0; // between round numbers, over the bar
 
 struct Caption
 {
@@ -57,12 +59,6 @@ Caption captionOf(ColorBy colorBy)
     return {};
 }
 
-// Four or five steps over a range whose ends are round.
-double markStep(const ValueRange& range)
-{
-    return roundedUp((range.high - range.low) / 5.0 * 0.999);
-}
-
 } // namespace
 
 Legend::Legend(QWidget* parent)
@@ -83,9 +79,11 @@ void Legend::setTheme(const Theme& theme)
 void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors)
 {
     const bool isShare = colorBy == ColorBy::Strain || colorBy == ColorBy::TearLoad;
-    m_shown = isShare ? 100.0 : 1.0; // per cent
-    const ValueRange scaled{range.low * m_shown, range.high * m_shown};
-    const auto [quantity, unit, unknown] = captionOf(colorBy);
+    const auto [quantity, siUnit, unknown] = captionOf(colorBy);
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
+    m_scale = spokenScale(largest, isShare ? std::string() : siUnit.toStdString(), isShare);
+    const QString& unit = m_scale.unit;
+    const ValueRange scaled{range.low / m_scale.factor, range.high / m_scale.factor};
     const QString title = unit.isEmpty() ? quantity : QStringLiteral("%1, %2").arg(quantity, unit);
     if (title == m_title && scaled == m_range && &colors == m_colors)
         return;
@@ -122,9 +120,8 @@ QString Legend::peakText() const
 {
     if (!m_isKnown)
         return m_unknown;
-    return m_peak.id == 0 || m_isState
-               ? QString()
-               : tr("peak %1").arg(locale().toString(m_peak.value * m_shown, 'g', 4));
+    return m_peak.id == 0 || m_isState ? QString()
+                                       : tr("peak %1").arg(m_scale.number(m_peak.value));
 }
 
 void Legend::mousePressEvent(QMouseEvent*) {}
@@ -146,17 +143,14 @@ std::vector<Legend::Mark> Legend::marks() const
         return {{1.0 / 6.0, tr("slack")}, {0.5, tr("wrinkled")}, {5.0 / 6.0, tr("taut")}};
     std::vector<Mark> result;
     const double span = m_range.high - m_range.low;
-    const double step = markStep(m_range);
+    const double step = roundStep(span / mostSteps);
     if (!(step > 0.0))
         return result;
-    const int decimals = std::max(0, int(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(m_range.low / step - 1e-9));
     const auto last = std::llround(std::floor(m_range.high / step + 1e-9));
     for (auto i = first; i <= last; ++i) {
         const double value = double(i) * step;
-        const bool plain = decimals <= 4 && std::abs(m_range.high) < 1e6;
-        const QString text =
-            plain ? locale().toString(value, 'f', decimals) : locale().toString(value, 'g', 3);
+        const QString text = SpokenScale().atStep(value, step);
         result.push_back({(value - m_range.low) / span, text});
     }
     if (m_marksLimit && m_range.low <= 1.0 && m_range.high >= 1.0) {

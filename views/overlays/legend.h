@@ -2,9 +2,10 @@
 //
 // The largest value of the moment stands below it. A click on the bar asks for another range, one
 // on the largest value goes to what has it. It is hidden when the view shows materials. Values come
-// in SI units and are shown in the unit of the legend, which is per cent for shares.
+// in SI units and are shown as people say them: shares in per cent, large pulls in kN.
 #pragma once
 
+#include "document/spoken.h"
 #include "look/color_map.h"
 #include "look/quantity_values.h"
 #include "look/theme.h"
@@ -34,7 +35,7 @@ public:
     const ValueRange& range() const { return m_range; } // in the unit of the legend
     ValueRange meant(const ValueRange& shown) const     // in SI units
     {
-        return {shown.low / m_shown, shown.high / m_shown};
+        return {shown.low * m_scale.factor, shown.high * m_scale.factor};
     }
     QStringList labels() const; // from the bottom up
 
@@ -67,7 +68,7 @@ private:
     bool m_isKnown = true;
     bool m_isState = false;    // marked by names, without range and peak
     bool m_marksLimit = false; // of margins, at 1
-    double m_shown = 1.0;      // factor from SI units to the unit of the legend
+    SpokenScale m_scale;       // of what is shown
     Peak m_peak;
 };
 

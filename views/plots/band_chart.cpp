@@ -11,14 +11,15 @@ namespace ripstop {
 BandChart::BandChart(QWidget* parent)
     : QWidget(parent)
     , m_plot(makePlot(*this))
+    , m_values(new SpokenAxis(*m_plot->yAxis))
     , m_band(addBand(*m_plot, *m_plot->xAxis, *m_plot->yAxis))
     , m_curve(m_plot->addGraph())
 {
-    m_plot->xAxis->setLabel(tr("Time (s)"));
+    (new SpokenAxis(*m_plot->xAxis))->say({tr("time"), QStringLiteral("s")}); // the axis has it
     style();
 }
 
-void BandChart::show(const QString& label, const std::vector<double>& time,
+void BandChart::show(const AxisWords& words, const std::vector<double>& time,
                      const std::vector<double>& value, const std::vector<double>& error)
 {
     QVector<double> low, high;
@@ -30,7 +31,7 @@ void BandChart::show(const QString& label, const std::vector<double>& time,
     m_band.low->setData(times, low, true);
     m_band.high->setData(times, high, true);
     m_curve->setData(times, QVector<double>(value.begin(), value.end()), true);
-    m_plot->yAxis->setLabel(label);
+    m_values->say(words);
     m_plot->xAxis->rescale();
     bool found = false;
     const QCPRange values =

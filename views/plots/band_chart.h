@@ -3,6 +3,7 @@
 #pragma once
 
 #include "plots/band_graphs.h"
+#include "plots/spoken_axis.h"
 
 #include <QString>
 #include <QWidget>
@@ -22,8 +23,8 @@ public:
 
     // Replaces what was shown.
     //   time   [times]  s
-    //   value  [times]  as `label` says, and so is its error, half of the width of the band
-    void show(const QString& label, const std::vector<double>& time,
+    //   value  [times]  in the unit of `words`, and so is its error, half of the width of the band
+    void show(const AxisWords& words, const std::vector<double>& time,
               const std::vector<double>& value, const std::vector<double>& error);
     void clear();
     using QWidget::show;
@@ -37,6 +38,7 @@ private:
     void style();
 
     QCustomPlot* m_plot;
+    SpokenAxis* m_values;
     BandGraphs m_band;
     QCPGraph* m_curve;
 };

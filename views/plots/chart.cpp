@@ -6,12 +6,13 @@
 #include "plots/chart.h"
 
 #include "document/event_words.h"
+#include "document/spoken.h"
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
 #include "plots/error_bands.h"
+#include "plots/spoken_axis.h"
 
 #include <QEvent>
-#include <QLocale>
 #include <QToolTip>
 #include <qcustomplot.h>
 
@@ -73,11 +74,12 @@ void Chart::layOut()
     m_graphs.assign(m_curves.size(), nullptr);
 
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        const QString& unit = m_curves[i].unit;
-        auto strip = std::find_if(m_strips.begin(), m_strips.end(),
-                                  [&](const Strip& s) { return s.unit == unit; });
+        const Curve& curve = m_curves[i];
+        auto strip = std::find_if(m_strips.begin(), m_strips.end(), [&](const Strip& s) {
+            return s.unit == curve.unit && s.isShare == curve.isShare;
+        });
         if (strip == m_strips.end()) {
-            addStrip(unit);
+            addStrip(curve);
             strip = m_strips.end() - 1;
         }
         addCurve(*strip, int(i));
@@ -85,9 +87,8 @@ void Chart::layOut()
     for (Strip& strip : m_strips) {
         const bool last = &strip == &m_strips.back();
         strip.time->setTickLabels(last);
-        strip.time->setLabel(last ? tr("time (s)") : QString());
-        strip.values->setLabel(strip.unit); // a name would be longer than a strip is high
-        setLogarithmic(*strip.values, m_settings.logarithmic);
+        strip.saidTime->say(last ? AxisWords{tr("time"), QStringLiteral("s")} : AxisWords());
+        strip.said->setLogarithmic(m_settings.logarithmic);
     }
     addPast();
     style();
@@ -99,10 +100,11 @@ void Chart::layOut()
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void Chart::addStrip(const QString& unit)
+void Chart::addStrip(const Curve& first)
 {
     Strip strip;
-    strip.unit = unit;
+    strip.unit = first.unit;
+    strip.isShare = first.isShare;
     strip.legend = new QCPLegend; // over the strip, where it hides nothing
     strip.rect = new QCPAxisRect(m_plot);
     QCPLayoutGrid& grid = *m_plot->plotLayout();
@@ -117,7 +119,9 @@ void Chart::addStrip(const QString& unit)
     strip.values = strip.rect->axis(QCPAxis::atLeft);
     strip.rect->axis(QCPAxis::atTop)->setVisible(true);
     strip.rect->axis(QCPAxis::atRight)->setVisible(true);
-    strip.values->ticker()->setTickCount(4);
+    strip.saidTime = new SpokenAxis(*strip.time);
+    strip.said = new SpokenAxis(*strip.values);
+    strip.said->say({{}, strip.unit, strip.isShare}); // a name would be longer than a strip is high
     tighten(*strip.rect);
     strip.rect->setMinimumSize(60, stripHeight / 2);
 
@@ -191,8 +195,8 @@ void Chart::setPlot(const Plot& plot)
     if (plot == m_settings)
         return;
     m_settings = plot;
-    for (Strip& strip : m_strips)
-        setLogarithmic(*strip.values, m_settings.logarithmic);
+    for (const Strip& strip : m_strips)
+        strip.said->setLogarithmic(m_settings.logarithmic);
     follow();
 }
 
@@ -409,8 +413,9 @@ QString Chart::bandAt(const QPointF& place) const
             const double error = 0.5 * (band.high[sample] - band.low[sample]);
             return tr("%1: %2 ± %3, by the certificate of the run")
                 .arg(curve.name,
-                     QLocale().toString(0.5 * (band.high[sample] + band.low[sample]), 'g', 6),
-                     QLocale().toString(error, 'g', 2) + ' ' + curve.unit);
+                     readingText(curve.isShare, 0.5 * (band.high[sample] + band.low[sample]),
+                                 curve.unit.toStdString(), 6),
+                     readingText(curve.isShare, error, curve.unit.toStdString(), 2));
         }
     }
     return {};

@@ -35,6 +35,7 @@ class QCustomPlot;
 namespace ripstop {
 
 class ErrorBands;
+class SpokenAxis;
 
 // A probe as the chart draws it.
 struct Curve
@@ -43,6 +44,7 @@ struct Curve
     QString name;        // "kite height"
     QString unit;        // "m"; empty when dimensionless
     QColor color;
+    bool isShare = false; // said in percent
 
     friend bool operator==(const Curve&, const Curve&) = default;
 };
@@ -108,9 +110,12 @@ private:
     struct Strip
     {
         QString unit;
+        bool isShare;
         QCPAxisRect* rect;
         QCPAxis* time;
         QCPAxis* values;
+        SpokenAxis* saidTime; // what stands beside the axes
+        SpokenAxis* said;
         QCPLegend* legend;
         std::array<QCPGraph*, runEventNames.size()> marks;
         QCPGraph* cursor;
@@ -125,7 +130,7 @@ private:
     static constexpr int stripHeight = 100; // px, at least, with its legend
 
     void layOut();
-    void addStrip(const QString& unit);
+    void addStrip(const Curve& first);
     void addCurve(Strip& strip, int curve);
     void addPast();
     bool isCrowded() const; // so that curves are drawn coarser

@@ -4,6 +4,7 @@
 // or font needs no more than calling these again.
 #include "plots/chart_style.h"
 
+#include "document/spoken.h"
 #include "plots/curve_color.h"
 
 #include <QCoreApplication>
@@ -133,10 +134,11 @@ QCPRange withAir(const QCPRange& values)
 {
     constexpr double headroom = 0.08; // of the values, above and below
     constexpr double flat = 1e-4;     // of its size: less change than this is shown as no change
-    const double size = std::max(std::abs(values.lower), std::abs(values.upper));
+    const QCPRange held(heldValue(values.lower), heldValue(values.upper));
+    const double size = std::max(std::abs(held.lower), std::abs(held.upper));
     const double least = size > 0.0 ? flat * size : 1.0;
-    const double half = (0.5 + headroom) * std::max(values.size(), least);
-    return {values.center() - half, values.center() + half};
+    const double half = (0.5 + headroom) * std::max(held.size(), least);
+    return {held.center() - half, held.center() + half};
 }
 
 QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic)
@@ -149,16 +151,6 @@ QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarit
     const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
                       && wanted.size() > roomy * shown.size();
     return fits ? shown : wanted;
-}
-
-void setLogarithmic(QCPAxis& axis, bool logarithmic)
-{
-    axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    const QSharedPointer<QCPAxisTicker> ticker(logarithmic ? new QCPAxisTickerLog
-                                                           : new QCPAxisTicker);
-    ticker->setTickCount(4);
-    axis.setTicker(ticker);
-    axis.setNumberPrecision(logarithmic ? 3 : 6); // 80, not 8e+01
 }
 
 void tighten(QCPAxisRect& rect) { rect.setMinimumMargins({2, 3, 8, 2}); }

@@ -6,6 +6,7 @@
 #include "plots/history.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ripstop {
@@ -44,7 +45,7 @@ void History::take(std::uint64_t run, const std::shared_ptr<const Layout>& layou
     if (run != m_run || (!m_time.empty() && time < m_time.back()))
         startOver(run);
     if (layout != m_layout)
-        matchColumns(*layout);
+        matchColumns(*layout, time);
     m_layout = layout;
 
     // the same instant comes again after an edit: what the probes read now replaces the sample
@@ -63,13 +64,63 @@ void History::take(std::uint64_t run, const std::shared_ptr<const Layout>& layou
         thin();
 }
 
+void History::fillPast(const Layout::Probe& probe, std::span<const double> time,
+                       std::span<const double> value)
+{
+    auto column = std::ranges::find(m_columns, probe.id, &Column::probe);
+    if (column == m_columns.end()) { // of a run that was over before there was the probe
+        m_columns.push_back({probe.id, probe.unit, {}});
+        column = m_columns.end() - 1;
+    }
+    std::vector<double>& values = column->values;
+    values.resize(m_time.size(), missing);
+    const auto isKnown = [](double one) { return std::isfinite(one); };
+    const auto own = std::size_t(std::ranges::find_if(values, isKnown) - values.begin());
+    // up to what it reads itself, which may be later than the last frame
+    const double end = own < values.size() ? m_time[own] : missing;
+    const auto frames = std::size_t(std::ranges::lower_bound(time, end) - time.begin());
+    const std::size_t count = std::isnan(end) ? time.size() : frames;
+    for (std::size_t i = 0; i < own; ++i) {
+        const auto after =
+            std::size_t(std::ranges::lower_bound(time.first(count), m_time[i]) - time.begin());
+        if (after < count && time[after] == m_time[i]) {
+            values[i] = value[after];
+            continue;
+        }
+        const bool isLast = after == count;
+        if (after == 0 || (isLast && own == values.size()))
+            continue;
+        const double to = isLast ? end : time[after];
+        const double there = isLast ? values[own] : value[after];
+        const double share = (m_time[i] - time[after - 1]) / (to - time[after - 1]);
+        values[i] = value[after - 1] + share * (there - value[after - 1]);
+    }
+    if (std::ranges::any_of(value, isKnown))
+        column->joined.reset();
+    ++m_revision;
+}
+
+std::optional<double> History::joined(std::uint32_t probe) const
+{
+    const auto column = std::ranges::find(m_columns, probe, &Column::probe);
+    return column == m_columns.end() ? std::nullopt : column->joined;
+}
+
+bool History::lacksPast(std::uint32_t probe) const
+{
+    const bool isThere = std::ranges::find(m_columns, probe, &Column::probe) != m_columns.end();
+    return m_time.size() > 1 && (!isThere || joined(probe));
+}
+
 void History::clear()
 {
     m_since = m_time.empty() ? 0.0 : m_time.back();
     m_time.clear();
     m_tears.clear();
-    for (Column& column : m_columns)
+    for (Column& column : m_columns) {
         column.values.clear();
+        column.joined.reset();
+    }
     m_stride = 1;
     m_passed = 0;
     ++m_revision;
@@ -105,7 +156,7 @@ void History::startOver(std::uint64_t run)
 
 // Columns are matched by id, so that a probe that was renamed keeps its past, and by unit, so that
 // a probe that now measures something else does not.
-void History::matchColumns(const Layout& layout)
+void History::matchColumns(const Layout& layout, double time)
 {
     const bool same =
         std::equal(m_columns.begin(), m_columns.end(), layout.probes.begin(), layout.probes.end(),
@@ -122,7 +173,8 @@ void History::matchColumns(const Layout& layout)
         if (old != m_columns.end())
             columns.push_back(std::move(*old));
         else
-            columns.push_back({probe.id, probe.unit, std::vector<double>(m_time.size(), missing)});
+            columns.push_back({probe.id, probe.unit, std::vector<double>(m_time.size(), missing),
+                               m_time.empty() ? std::nullopt : std::optional(time)});
     }
     m_columns = std::move(columns);
     ++m_revision;

@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,15 @@ public:
     void add(const Frame& frame);
     void add(const ProbeSample& sample); // between two frames
     void clear();                        // forgets what was until now; the run goes on
+
+    // What a probe would have read, as its recording has it (recording/probe_past.h): fills its
+    // samples before the first that it has, straight between the frames.
+    void fillPast(const Layout::Probe& probe, std::span<const double> time,
+                  std::span<const double> value);
+
+    // Whether there are samples of the run before the probe was read, or of a run without it.
+    bool lacksPast(std::uint32_t probe) const;
+    std::optional<double> joined(std::uint32_t probe) const; // s, when it was first read then
 
     std::span<const double> time() const { return m_time; }      // [samples] s, ascending
     std::span<const double> valuesOf(std::uint32_t probe) const; // [samples]; empty when unknown
@@ -50,13 +60,14 @@ private:
     {
         std::uint32_t probe;
         std::string unit;
-        std::vector<double> values; // [samples]
+        std::vector<double> values;        // [samples]
+        std::optional<double> joined = {}; // s, where the run had begun without it
     };
 
     void take(std::uint64_t run, const std::shared_ptr<const Layout>& layout, double time,
               const std::vector<double>& probe);
     void startOver(std::uint64_t run);
-    void matchColumns(const Layout& layout);
+    void matchColumns(const Layout& layout, double time);
     void thin();
 
     std::size_t m_most;

@@ -1,11 +1,12 @@
 // Bands of what the values of probes may be off by, as certificates have it (plots/error_bands.h):
 // where the certificates come from, the curves of a certified recording that is looked back at, and
 // the words and the choice about them.
+#include "document/document.h"
 #include "document/player.h"
 #include "document/recordings.h"
+#include "document/spoken.h"
 #include "plots/plot_panel.h"
 
-#include <QLocale>
 #include <QMenu>
 
 #include <algorithm>
@@ -67,7 +68,8 @@ QString PlotPanel::errorText(std::uint32_t probe, std::optional<double> time) co
         return {};
     const double error = 0.5 * (band.high[sample] - band.low[sample]);
     return tr("It may be off by %1, as the certificate has it.")
-        .arg(QLocale().toString(error, 'g', 2) + QChar(0x00a0) + unitOf(Id{probe}));
+        .arg(readingText(findItem<Probe>(m_document.scene(), Id{probe})->quantity, error,
+                         unitOf(Id{probe}).toStdString(), 2));
 }
 
 void PlotPanel::addBands(QMenu& menu)

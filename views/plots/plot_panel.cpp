@@ -73,6 +73,9 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     , m_pages(new QStackedWidget)
     , m_list(new QTreeWidget)
     , m_panels(new QSplitter)
+    , m_pastFinder(
+          [this](const PastWish& wish) { return findPast(wish, m_isOver); },
+          [this] { QMetaObject::invokeMethod(this, &PlotPanel::takePast, Qt::QueuedConnection); })
 {
     layOut();
     m_redraw.setSingleShot(true);
@@ -83,6 +86,7 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
         m_own = {};
         m_current = 0;
         m_events.clear();
+        m_pastAsked.clear();
         forgetEarlier();
         refresh();
     });
@@ -94,6 +98,8 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     if (player.frame())
         take(player.frame());
 }
+
+PlotPanel::~PlotPanel() { m_isOver = true; }
 
 void PlotPanel::layOut()
 {
@@ -136,6 +142,7 @@ void PlotPanel::refresh()
         m_plots = std::move(plots);
         rebuildViews();
         rebuildList();
+        askPast();
     }
     m_pages->setCurrentIndex(m_probes.empty() ? 1 : 0);
 }
@@ -218,8 +225,8 @@ std::vector<Curve> PlotPanel::curvesOf(const Plot& plot) const
                                 ? probe.plotted
                                 : std::ranges::find(plot.probes, id) != plot.probes.end();
         if (wanted)
-            curves.push_back({std::uint32_t(id), QString::fromStdString(probe.name), unitOf(id),
-                              curveColor(int(i), palette())});
+            curves.push_back({std::uint32_t(id), nameOf(m_probes[i]), unitOf(id),
+                              curveColor(int(i), palette()), isSaidInPercent(probe.quantity)});
     }
     return curves;
 }
@@ -231,12 +238,13 @@ bool PlotPanel::isDrawn(const Entry& probe) const
     });
 }
 
-QString PlotPanel::acrossOf(const Plot& plot) const
+AxisWords PlotPanel::acrossOf(const Plot& plot) const
 {
     const Probe* across = findItem<Probe>(m_document.scene(), plot.against);
     if (!across)
         return {};
-    return withUnit(QString::fromStdString(across->name), unitOf(plot.against));
+    return {QString::fromStdString(across->name), unitOf(plot.against),
+            isSaidInPercent(across->quantity)};
 }
 
 QString PlotPanel::unitOf(Id id) const
@@ -296,6 +304,7 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
     if (frame->layout != m_layout) {
         m_layout = frame->layout;
         rebuildViews(); // the layout says the units of the probes
+        askPast();
     }
     drawSoon();
 }

@@ -6,16 +6,21 @@
 // are cleared. Panels that the scene keeps are changed by edits, so that undo covers them; the
 // panel that belongs to no Plot is changed in place.
 //
-// It is a widget: only the window's thread uses it. Four sources share it: plot_panel.cpp, the
-// context menu in plot_menu.cpp, the edits of panels in plot_arrangement.cpp, and the bands of
-// certificates in plot_bands.cpp.
+// It is a widget: only the window's thread uses it. Five sources share it: plot_panel.cpp, the
+// context menu in plot_menu.cpp, the edits of panels in plot_arrangement.cpp, the bands of
+// certificates in plot_bands.cpp, and the past of new probes in plot_past.cpp.
 #pragma once
 
+#include "document/worker.h"
 #include "plots/error_bands.h"
 #include "plots/plot_view.h"
+#include "recording/probe_past.h"
 #include "scene/scene.h"
 
 #include <QTimer>
+
+#include <atomic>
+#include <map>
 
 class QIODevice;
 class QMenu;
@@ -37,6 +42,7 @@ class PlotPanel final : public QWidget
 
 public:
     PlotPanel(Document& document, Player& player, QWidget* parent = nullptr);
+    ~PlotPanel() override;
 
     // Goes on with what another panel has drawn, which is about to go.
     void takeOver(const PlotPanel& before);
@@ -85,7 +91,7 @@ private:
     std::vector<Curve> curvesOf(const Plot& plot) const;
     bool isDrawn(const Entry& probe) const; // in the chosen panel
     const Plot& plotOf(std::size_t view) const;
-    QString acrossOf(const Plot& plot) const;
+    AxisWords acrossOf(const Plot& plot) const;
     void takeSample(const ProbeSample& sample);
     void take(const std::shared_ptr<const Frame>& frame);
     void showPast(const Frame& frame);
@@ -103,6 +109,23 @@ private:
     const ErrorBands* shownBands() const { return m_wantsBands ? &m_bands : nullptr; }
     QString errorText(std::uint32_t probe, std::optional<double> time) const;
     void addBands(QMenu& menu);
+
+    // the past of probes that a run went without (plot_past.cpp)
+    struct PastWish
+    {
+        std::shared_ptr<const Recording> recording;
+        std::vector<Entry> probes;
+    };
+    struct PastFound
+    {
+        std::uint64_t run = 0;
+        std::vector<Layout::Probe> probes;
+        ProbePast past;
+    };
+    static PastFound findPast(const PastWish& wish, const std::atomic<bool>& isOver);
+    void askPast();
+    void takePast();
+    QString nameOf(const Entry& probe) const; // and since when it is known, if not from the start
 
     void showValues();
     void tick(QTreeWidgetItem* item); // draws a probe, or not
@@ -135,7 +158,8 @@ private:
     std::vector<RunEvent> m_events;  // of that run
     std::optional<double> m_hovered; // s
     QTimer m_redraw;
-    const Recordings* m_recordings = nullptr; // null until follow()
+    const Recordings* m_recordings = nullptr;                // null until follow()
+    std::map<std::uint64_t, std::vector<Entry>> m_pastAsked; // by run: probes that were asked for
     ErrorBands m_bands;
     bool m_wantsBands = true;
     // The certified recording that is looked back at, with its values; null: none is.
@@ -145,6 +169,9 @@ private:
     QStackedWidget* m_pages;
     QTreeWidget* m_list;
     QSplitter* m_panels;
+
+    std::atomic<bool> m_isOver = false;
+    Worker<PastWish, PastFound> m_pastFinder; // last: it ends before what it uses
 };
 
 } // namespace ripstop

@@ -27,8 +27,9 @@ enum Page { OverTime, Hint, Across };
 
 bool shareAUnit(const std::vector<Curve>& curves)
 {
-    return std::ranges::all_of(curves,
-                               [&](const Curve& one) { return one.unit == curves.front().unit; });
+    return std::ranges::all_of(curves, [&](const Curve& one) {
+        return one.unit == curves.front().unit && one.isShare == curves.front().isShare;
+    });
 }
 
 } // namespace
@@ -84,7 +85,7 @@ PlotView::PlotView(QWidget* parent)
     }
 }
 
-void PlotView::setPlot(const Plot& plot, std::vector<Curve> curves, const QString& across)
+void PlotView::setPlot(const Plot& plot, std::vector<Curve> curves, const AxisWords& across)
 {
     m_plot = plot;
     m_across = across;
@@ -98,7 +99,7 @@ void PlotView::setPlot(const Plot& plot, std::vector<Curve> curves, const QStrin
 
 void PlotView::showPage()
 {
-    const bool lacksProbe = m_plot.axis == PlotAxis::Probe && m_across.isEmpty();
+    const bool lacksProbe = m_plot.axis == PlotAxis::Probe && m_across.name.isEmpty();
     m_hint->setText(lacksProbe ? tr("Choose the probe that the curves are against: right click.")
                                : tr("Tick a probe to plot it."));
     m_pages->setCurrentIndex(curves().empty() || lacksProbe  ? Hint
@@ -134,11 +135,16 @@ void PlotView::draw(const History& history, const ErrorBands* bands,
     const bool shared = shareAUnit(named);
     for (Curve& curve : named)
         curve.name = shared ? curve.name : withUnit(curve.name, curve.unit);
-    const QString unit = shared ? named.front().unit : QString();
-    if (m_plot.axis == PlotAxis::Frequency)
-        return m_xy->show(tr("frequency (Hz)"), withUnit(tr("amplitude"), unit),
+    AxisWords values;
+    if (shared)
+        values = {{}, named.front().unit, named.front().isShare};
+    if (m_plot.axis == PlotAxis::Frequency) {
+        values.name = tr("amplitude");
+        return m_xy->show({tr("frequency"), QStringLiteral("Hz")}, values,
                           spectra(history, earlier, named));
-    m_xy->show(m_across, unit, phaseCurves(history, earlier, named, std::uint32_t(m_plot.against)));
+    }
+    m_xy->show(m_across, values,
+               phaseCurves(history, earlier, named, std::uint32_t(m_plot.against)));
 }
 
 QCustomPlot& PlotView::plotInSight() const

@@ -19,8 +19,8 @@ class PlotView final : public QWidget
 public:
     explicit PlotView(QWidget* parent = nullptr);
 
-    // `across` names the probe that the curves are against, with its unit; empty without one.
-    void setPlot(const Plot& plot, std::vector<Curve> curves, const QString& across);
+    // `across` names the probe that the curves are against; its name is empty without one.
+    void setPlot(const Plot& plot, std::vector<Curve> curves, const AxisWords& across);
     const Plot& plot() const { return m_plot; }
     const std::vector<Curve>& curves() const { return m_chart->curves(); }
 
@@ -54,7 +54,7 @@ private:
     void styleTitle();
 
     Plot m_plot;
-    QString m_across;
+    AxisWords m_across;
     Title m_title = Title::Hidden;
     QWidget* m_bar;
     QLabel* m_name;

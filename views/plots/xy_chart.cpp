@@ -18,13 +18,14 @@ namespace ripstop {
 XyChart::XyChart(QWidget* parent)
     : QWidget(parent)
     , m_plot(makePlot(*this))
+    , m_x(new SpokenAxis(*m_plot->xAxis))
+    , m_y(new SpokenAxis(*m_plot->yAxis))
 {
     m_plot->setContextMenuPolicy(Qt::CustomContextMenu); // it lets no click through to the panel
     connect(m_plot, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
         emit customContextMenuRequested(m_plot->mapTo(this, place));
     });
     tighten(*m_plot->axisRect());
-    m_plot->yAxis->ticker()->setTickCount(4);
     m_plot->setAutoAddPlottableToLegend(false); // fitLegend() does, as many as have room
     m_plot->axisRect()->insetLayout()->take(m_plot->legend);
     m_plot->plotLayout()->insertRow(0);
@@ -43,12 +44,12 @@ XyChart::XyChart(QWidget* parent)
     stylePlot(*m_plot, *this);
 }
 
-void XyChart::show(const QString& xLabel, const QString& yLabel, const std::vector<XyCurve>& curves)
+void XyChart::show(const AxisWords& x, const AxisWords& y, const std::vector<XyCurve>& curves)
 {
     m_plot->legend->clearItems(); // they point at what goes
     m_plot->clearPlottables();
-    m_plot->xAxis->setLabel(xLabel);
-    m_plot->yAxis->setLabel(yLabel);
+    m_x->say(x);
+    m_y->say(y);
     for (const XyCurve& one : curves) {
         auto* curve = new QCPCurve(m_plot->xAxis, m_plot->yAxis); // the plot's own from now on
         curve->setName(one.name);
@@ -88,12 +89,7 @@ void XyChart::setLogarithmic(bool logarithmic)
 {
     if (std::exchange(m_logarithmic, logarithmic) == logarithmic)
         return;
-    QCPAxis& axis = *m_plot->yAxis;
-    axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    axis.setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                               : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
-    axis.setNumberFormat(QStringLiteral("gb"));
-    axis.setNumberPrecision(logarithmic ? 3 : 6);
+    m_y->setLogarithmic(logarithmic);
     m_held = false;
     fit();
 }

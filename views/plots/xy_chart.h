@@ -3,6 +3,8 @@
 // draws. It is a widget: only the window's thread uses it.
 #pragma once
 
+#include "plots/spoken_axis.h"
+
 #include <QColor>
 #include <QString>
 #include <QWidget>
@@ -32,7 +34,7 @@ class XyChart final : public QWidget
 public:
     explicit XyChart(QWidget* parent = nullptr);
 
-    void show(const QString& xLabel, const QString& yLabel, const std::vector<XyCurve>& curves);
+    void show(const AxisWords& x, const AxisWords& y, const std::vector<XyCurve>& curves);
     using QWidget::show;
     void setLogarithmic(bool logarithmic);                                // the y axis
     void setRange(std::optional<double> low, std::optional<double> high); // y axis, where given
@@ -52,6 +54,8 @@ private:
     void fitNames();
 
     QCustomPlot* m_plot;
+    SpokenAxis* m_x;
+    SpokenAxis* m_y;
     std::optional<double> m_low;
     std::optional<double> m_high;
     std::ptrdiff_t m_pastCount = 0; // curves of earlier runs, which come first

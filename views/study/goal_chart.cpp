@@ -4,6 +4,7 @@
 
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
+#include "study/shown_value.h"
 #include "study/study_report.h"
 #include "study/study_search.h"
 
@@ -38,6 +39,8 @@ QVector<double> valuesOf(const std::vector<double>& numbers)
 GoalChart::GoalChart(QWidget* parent)
     : QWidget(parent)
     , m_plot(makePlot(*this))
+    , m_x(new SpokenAxis(*m_plot->xAxis))
+    , m_y(new SpokenAxis(*m_plot->yAxis))
     , m_flights(m_plot->addGraph())
     , m_best(m_plot->addGraph())
     , m_first(new QCPBars(m_plot->xAxis, m_plot->yAxis))
@@ -96,8 +99,8 @@ void GoalChart::clear()
         bars->data()->clear();
     for (QCPErrorBars* band : {m_firstBand, m_totalBand})
         band->data()->clear();
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
-        axis->setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+    for (SpokenAxis* axis : {m_x, m_y})
+        axis->setLogarithmic(false); // round numbers again
 }
 
 void GoalChart::show(const OpenedStudy& study, const StudyFlights& flights, Picture picture,
@@ -153,8 +156,8 @@ void GoalChart::showConvergence(const OpenedStudy& study, const StudyFlights& fl
     m_best->setScatterStyle(QCPScatterStyle::ssNone);
     m_best->setData(stepX, stepY);
     drawPoints();
-    m_plot->xAxis->setLabel(tr("flight"));
-    m_plot->yAxis->setLabel(QString::fromStdString(study.headings[study.wanted.front()]));
+    m_x->say({tr("flight"), {}});
+    m_y->say(wordsOfHeading(QString::fromStdString(study.headings[study.wanted.front()])));
 }
 
 void GoalChart::showFront(const OpenedStudy& study, const StudyFlights& flights)
@@ -177,8 +180,8 @@ void GoalChart::showFront(const OpenedStudy& study, const StudyFlights& flights)
     m_best->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 9));
     m_best->setData(valuesOf(frontX), valuesOf(frontY));
     drawPoints();
-    m_plot->xAxis->setLabel(QString::fromStdString(study.headings[study.wanted[0]]));
-    m_plot->yAxis->setLabel(QString::fromStdString(study.headings[study.wanted[1]]));
+    m_x->say(wordsOfHeading(QString::fromStdString(study.headings[study.wanted[0]])));
+    m_y->say(wordsOfHeading(QString::fromStdString(study.headings[study.wanted[1]])));
 }
 
 void GoalChart::showSensitivity(const OpenedStudy& study, const StudyFlights& flights,
@@ -206,9 +209,9 @@ void GoalChart::showSensitivity(const OpenedStudy& study, const StudyFlights& fl
     put(*m_total, *m_totalBand, 0.5 * barWidth, &SobolIndices::total);
     for (std::size_t v = 0; v < study.study.variables.size(); ++v)
         names->addTick(double(v), QString::fromStdString(study.study.variables[v].name));
+    m_x->say({});
     m_plot->xAxis->setTicker(names);
-    m_plot->xAxis->setLabel({});
-    m_plot->yAxis->setLabel(tr("share of the variance"));
+    m_y->say({tr("share of the variance"), {}});
     m_plot->xAxis->setRange(-0.6, double(study.study.variables.size()) - 0.4);
     m_plot->yAxis->setRange(withAir(range));
 }

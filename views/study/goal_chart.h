@@ -16,6 +16,8 @@ class QCustomPlot;
 
 namespace ripstop {
 
+class SpokenAxis;
+
 class GoalChart final : public QWidget
 {
     Q_OBJECT
@@ -62,6 +64,8 @@ private:
 
     std::vector<Point> m_points;
     QCustomPlot* m_plot;
+    SpokenAxis* m_x; // what stands beside the axes
+    SpokenAxis* m_y;
     QCPGraph* m_flights; // all that fulfil the constraints
     QCPGraph* m_best;    // steps of the best so far, or the front
     QCPBars* m_first;

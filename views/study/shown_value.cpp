@@ -1,13 +1,12 @@
 #include "study/shown_value.h"
 
-#include "document/words.h"
+#include "document/spoken.h"
+
+#include <QRegularExpression>
 
 namespace ripstop {
 
-QString fourDigits(double number)
-{
-    return compactNumber(QString::number(number, 'g', 4).toDouble());
-}
+QString fourDigits(double number) { return spokenNumber(number); }
 
 QString shownValue(const std::string& value)
 {
@@ -15,6 +14,20 @@ QString shownValue(const std::string& value)
     bool isNumber = false;
     const double number = text.toDouble(&isNumber);
     return isNumber ? fourDigits(number) : text;
+}
+
+// The unit stands in brackets at the end: withUnit() has written it.
+AxisWords wordsOfHeading(const QString& heading)
+{
+    static const QRegularExpression form(QStringLiteral("^(.*\\S) \\(([^()]*)\\)$"));
+    const QRegularExpressionMatch parts = form.match(heading);
+    return parts.hasMatch() ? AxisWords{parts.captured(1), parts.captured(2)}
+                            : AxisWords{heading, {}};
+}
+
+QString measuredText(const QString& heading, double value)
+{
+    return spokenText(value, wordsOfHeading(heading).unit.toStdString());
 }
 
 } // namespace ripstop

@@ -67,13 +67,6 @@ QSharedPointer<QCPAxisTicker> gridTicker(const std::vector<std::string>& labels,
     return ticker;
 }
 
-void giveScale(QCPAxis& axis, bool isLogarithmic)
-{
-    setLogarithmic(axis, isLogarithmic);
-    if (!isLogarithmic)
-        axis.setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
-}
-
 } // namespace
 
 StudyChart::StudyChart(QWidget* parent)
@@ -86,6 +79,9 @@ StudyChart::StudyChart(QWidget* parent)
 {
     m_plot->plotLayout()->addElement(0, 1, m_scale);
     m_scale->setType(QCPAxis::atRight);
+    m_saidX = new SpokenAxis(*m_plot->xAxis);
+    m_saidY = new SpokenAxis(*m_plot->yAxis);
+    m_saidScale = new SpokenAxis(*m_scale->axis());
     m_scale->setGradient(colours());
     m_scale->setBarWidth(12);
     m_cells->setColorScale(m_scale);
@@ -163,14 +159,16 @@ void StudyChart::drawAxes()
     const QCPRange values = rangeOf(valueSpan(m_map));
     QCPAxis& x = *m_plot->xAxis;
     QCPAxis& y = *m_plot->yAxis;
-    x.setLabel(QString::fromStdString(m_map.x.title));
-    y.setLabel(hasHeights() ? m_reading : QString::fromStdString(m_map.y->title));
     m_scale->setVisible(!hasHeights());
-    m_scale->axis()->setLabel(hasHeights() ? QString() : m_reading);
+    m_saidScale->say(hasHeights() ? AxisWords() : wordsOfHeading(m_reading));
     m_scale->setDataRange(values);
-    if (m_map.isGrid) {
-        giveScale(x, false);
-        giveScale(y, false);
+    const QString across = QString::fromStdString(m_map.x.title);
+    const QString upwards = hasHeights() ? m_reading : QString::fromStdString(m_map.y->title);
+    if (m_map.isGrid) { // its values stand as they were typed
+        m_saidX->setLogarithmic(false);
+        m_saidX->say({across, {}});
+        m_saidY->setLogarithmic(false);
+        m_saidY->say(hasHeights() ? wordsOfHeading(upwards) : AxisWords{upwards, {}});
         x.setTicker(gridTicker(m_map.x.labels, std::max(2, width() / 80)));
         x.setRange(-0.5, double(m_map.columns()) - 0.5);
         if (!hasHeights()) {
@@ -178,8 +176,10 @@ void StudyChart::drawAxes()
             y.setRange(-0.5, double(m_map.rows()) - 0.5);
         }
     } else {
-        giveScale(x, m_map.x.isLogarithmic);
-        giveScale(y, m_map.y && m_map.y->isLogarithmic);
+        m_saidX->setLogarithmic(m_map.x.isLogarithmic);
+        m_saidX->say(wordsOfHeading(across));
+        m_saidY->setLogarithmic(m_map.y && m_map.y->isLogarithmic);
+        m_saidY->say(wordsOfHeading(upwards));
         const auto fit = [&](QCPAxis& axis, const QCPRange& span) {
             axis.setRange(axis.scaleType() == QCPAxis::stLogarithmic
                               ? QCPRange(0.9 * span.lower, 1.1 * span.upper)

@@ -23,6 +23,8 @@ class QCustomPlot;
 
 namespace ripstop {
 
+class SpokenAxis;
+
 class StudyChart final : public QWidget
 {
     Q_OBJECT
@@ -64,6 +66,9 @@ private:
     QCustomPlot* m_plot;
     QCPColorMap* m_cells;
     QCPColorScale* m_scale;
+    SpokenAxis* m_saidX; // what stands beside the axes
+    SpokenAxis* m_saidY;
+    SpokenAxis* m_saidScale;
     QCPCurve* m_contours;
     QCPCurve* m_frontier;
     QCPGraph* m_crosses; // ended early

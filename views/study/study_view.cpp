@@ -137,11 +137,8 @@ QString StudyView::valuesOf(const OpenedStudy& study, std::size_t point)
     const std::vector<std::string> values = study.points.values(point);
     QStringList all;
     for (std::size_t v = 0; v < values.size(); ++v) {
-        bool isNumber = false;
-        const double number = QString::fromStdString(values[v]).toDouble(&isNumber);
         all << QStringLiteral("%1 %2").arg(QString::fromStdString(study.study.variables[v].name),
-                                           isNumber ? fourDigits(number)
-                                                    : QString::fromStdString(values[v]));
+                                           shownValue(values[v]));
     }
     return all.join(QStringLiteral(", "));
 }
@@ -301,7 +298,9 @@ void StudyView::describe(qlonglong point)
         const double value =
             readingOf(*flight, std::size_t(std::max(0, m_reading->currentIndex())));
         if (std::isfinite(value))
-            text += tr("%1 is %2. ").arg(m_reading->currentText(), fourDigits(value));
+            text += tr("%1 is %2. ")
+                        .arg(wordsOfHeading(m_reading->currentText()).name,
+                             measuredText(m_reading->currentText(), value));
         text += outcomeText(*flight);
         if (!flight->inaccurate.empty())
             text += ' ' + translated(flight->inaccurate);

@@ -5,6 +5,7 @@
 // goes.
 #include "timeline/difference_dialog.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 
 #include <QLabel>
@@ -26,17 +27,9 @@ constexpr int left = 64;   // px, for the numbers of the value axis
 constexpr int bottom = 26; // px, for those of the time axis
 constexpr int top = 10;
 constexpr int right = 14;
-constexpr int ticks = 4;
+constexpr int ticks = 5; // at most, between round numbers
 
-QString lengthText(double length)
-{
-    const auto number = [](double value) { return QLocale().toString(value, 'g', 3); };
-    if (length != 0.0 && length < 1e-3)
-        return DifferenceDialog::tr("%1 µm").arg(number(1e6 * length));
-    if (length != 0.0 && length < 1.0)
-        return DifferenceDialog::tr("%1 mm").arg(number(1e3 * length));
-    return DifferenceDialog::tr("%1 m").arg(number(length));
-}
+QString lengthText(double length) { return spokenText(length, "m", 3); }
 
 } // namespace
 
@@ -65,19 +58,26 @@ protected:
         const double high = highest();
         QColor grid = palette().color(QPalette::Text);
         grid.setAlpha(50);
-        for (int i = 0; i <= ticks; ++i) {
-            const double share = double(i) / ticks;
-            const double y = area.bottom() - share * area.height();
-            const double x = area.left() + share * area.width();
+        const QColor ink = palette().color(QPalette::Text);
+        const SpokenScale metres = spokenScale(high, "m");
+        const double rise = roundStep(high / metres.factor / ticks) * metres.factor;
+        for (double value = 0.0; value <= high * (1.0 + 1e-9); value += rise) {
+            const double y = area.bottom() - value / high * area.height();
             painter.setPen(grid);
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-            painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-            painter.setPen(palette().color(QPalette::Text));
+            painter.setPen(ink);
             painter.drawText(QRectF(0, y - 10, left - 6, 20), Qt::AlignRight | Qt::AlignVCenter,
-                             lengthText(share * high));
-            const double time = m_list.front().time + share * length();
+                             metres.atStep(value, rise) + QChar(0x00a0) + metres.unit);
+        }
+        const double from = m_list.front().time;
+        const double step = roundStep(length() / ticks);
+        for (double n = std::ceil(from / step - 1e-9); n * step <= from + length() + 1e-9; ++n) {
+            const double x = area.left() + (n * step - from) / length() * area.width();
+            painter.setPen(grid);
+            painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+            painter.setPen(ink);
             painter.drawText(QRectF(x - 40, area.bottom() + 4, 80, 20), Qt::AlignCenter,
-                             tr("%1 s").arg(QLocale().toString(time, 'g', 4)));
+                             tr("%1 s").arg(SpokenScale().atStep(n * step, step)));
         }
         painter.setRenderHint(QPainter::Antialiasing);
         draw(painter, &RunDistance::most, palette().color(QPalette::Highlight));
