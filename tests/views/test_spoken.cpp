@@ -33,6 +33,7 @@ private slots:
         row(15.54321, "m", "15.54 m");
         row(0.5, "m", "0.5 m");
         row(3e-5, "m", "30 \u00b5m"); // 0.03 mm would be said in zeros
+        row(8.905e-8, "J", "0.08905 \u00b5J");
         row(25.0, "m", "25 m");
         row(12345.0, "N", "12.35 kN");
         row(2e5, "N/m", "200 kN/m");

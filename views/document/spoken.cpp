@@ -39,7 +39,7 @@ constexpr std::array table{
     Prefixes{"s",       {"ms", "\u00b5s"},      {"", ""},       0.01},
     Prefixes{"N",       {"mN", ""},             {"kN", "MN"},   0.01},
     Prefixes{"Pa",      {"", ""},               {"kPa", "MPa"}, 0.0},
-    Prefixes{"J",       {"", ""},               {"kJ", ""},     0.0},
+    Prefixes{"J",       {"mJ", "\u00b5J"},      {"kJ", ""},     0.01},
 };
 // clang-format on
 
