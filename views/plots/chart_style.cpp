@@ -130,24 +130,24 @@ void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curv
         legend, QCoreApplication::translate("Chart", "and %1 more").arg(curves.size() - shown)));
 }
 
-QCPRange withAir(const QCPRange& values)
+QCPRange withAir(const QCPRange& values, double one)
 {
     constexpr double headroom = 0.08; // of the values, above and below
     constexpr double flat = 1e-4;     // of its size: less change than this is shown as no change
     const QCPRange held(heldValue(values.lower), heldValue(values.upper));
     const double size = std::max(std::abs(held.lower), std::abs(held.upper));
-    const double least = size > 0.0 ? flat * size : 1.0;
+    const double least = size > 0.0 ? flat * size : one;
     const double half = (0.5 + headroom) * std::max(held.size(), least);
     return {held.center() - half, held.center() + half};
 }
 
-QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic)
+QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic, double one)
 {
     constexpr double room = 1.3;   // times
     constexpr double roomy = 0.55; // values that fill less of their axis are fitted anew
     if (logarithmic)
         return {values.lower / room, values.upper * room};
-    const QCPRange wanted = withAir(values);
+    const QCPRange wanted = withAir(values, one);
     const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
                       && wanted.size() > roomy * shown.size();
     return fits ? shown : wanted;

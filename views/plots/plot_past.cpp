@@ -32,8 +32,10 @@ void PlotPanel::askPast()
     for (const History* history : all) {
         const auto recording = std::ranges::find_if(
             m_recordings->list(), [&](const auto& one) { return one->run() == history->run(); });
+        // the run that goes on reads a new probe with its next frame, which says the unit
         const bool lacks = std::ranges::any_of(m_probes, [&](const Entry& probe) {
-            return history->lacksPast(std::uint32_t(probe.id));
+            const auto id = std::uint32_t(probe.id);
+            return history == &m_history ? history->joined(id).has_value() : history->lacksPast(id);
         });
         if (recording == m_recordings->list().end() || !lacks
             || m_pastAsked[history->run()] == m_probes)
@@ -52,7 +54,7 @@ void PlotPanel::takePast()
         for (std::size_t i = 0; i < found->probes.size(); ++i) {
             Layout::Probe probe = found->probes[i];
             probe.unit = unitOf(Id{probe.id}).toStdString();
-            if (history.lacksPast(probe.id))
+            if (history.lacksPast(probe.id) && (&history != &m_history || history.joined(probe.id)))
                 history.fillPast(probe, found->past.time, found->past.value[i]);
         }
     };
