@@ -109,7 +109,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         item.setText(Load, amount(place.load, place.kind));
         item.setToolTip(Load, loadWords(place.kind));
         item.setText(Strength, amount(place.strength, place.kind));
-        item.setText(Time, spokenText(place.time, "s", 3));
+        item.setText(Time, spokenText(place.time, "s"));
         for (const Column column : {Margin, Load, Strength, Time})
             item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
