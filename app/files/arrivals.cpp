@@ -55,7 +55,7 @@ void Arrivals::startFrom(const QString& builder)
         return;
     Scene scene = dialog.scene();
     const QString title = QString::fromStdString(scene.settings.title);
-    m_document.replace(std::move(scene), title.isEmpty() ? tr("untitled") : title);
+    m_document.replace(std::move(scene), title);
     emit opened();
 }
 

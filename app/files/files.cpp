@@ -55,7 +55,7 @@ void Files::startNew()
 {
     if (!mayDiscard())
         return;
-    m_document.replace(Scene{}, tr("untitled"));
+    m_document.replace(Scene{});
     emit opened();
 }
 

@@ -19,6 +19,7 @@
 
 #include <QPointer>
 #include <QSettings>
+#include <QTemporaryDir>
 #include <QtTest>
 
 namespace ripstop::test_language_switch {
@@ -104,8 +105,12 @@ class TestLanguageSwitch : public QObject
     Q_OBJECT
 
 private slots:
+    // Settings of its own, as tests that run beside this one look which language is kept.
+    void initTestCase()
+    {
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_home.path());
+    }
     void init() { QSettings().clear(); }
-    void cleanupTestCase() { QSettings().clear(); }
 
     void nothingIsLeftOfTheOtherLanguage()
     {
@@ -169,6 +174,15 @@ private slots:
         QCOMPARE(desk.document.history().index(), step + 1);
     }
 
+    void aDesignWithoutANameHasNoneInEither()
+    {
+        Desk desk;
+        desk.document.replace(Scene{});
+        QVERIFY(desk.host.window().windowTitle().startsWith("untitled"));
+        desk.choose("languageFrench");
+        QVERIFY(desk.host.window().windowTitle().startsWith("sans titre"));
+    }
+
     // The page from which the language was chosen stands there again, in the other one.
     void preferencesStayOpen()
     {
@@ -181,6 +195,9 @@ private slots:
         QVERIFY(dialog && dialog->isVisible());
         QCOMPARE(dialog->windowTitle(), QString("Préférences"));
     }
+
+private:
+    QTemporaryDir m_home;
 };
 
 const RegisteredTest registered("test_language_switch", runWithView<TestLanguageSwitch>);
