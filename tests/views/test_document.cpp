@@ -327,8 +327,8 @@ private slots:
         QVERIFY(system);
         const Simulation simulation(*system);
         const std::shared_ptr<const Frame> frame = simulation.frame();
-        QCOMPARE(readingOf(*frame, Id{4}), QString("10 N · 11.1 %"));
-        QCOMPARE(readingOf(*frame, Id{3}), QString("5 m/s"));
+        QCOMPARE(readingOf(*frame, Id{4}), QString("10\u00a0N · 11.1\u00a0%"));
+        QCOMPARE(readingOf(*frame, Id{3}), QString("5\u00a0m/s"));
         QCOMPARE(readingOf(*frame, Id{1}), QString());
         QLocale::setDefault(before);
     }
