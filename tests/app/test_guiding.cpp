@@ -110,7 +110,7 @@ private slots:
         QVERIFY(!labelNamed(shop.window, "massTarget"));
         shop.document.push(setValue(shop.document.scene(), Id{1}, "massTarget", 0.04));
         QLabel* label = labelNamed(shop.window, "massTarget");
-        QVERIFY(label && label->text().contains("0.03"));
+        QVERIFY(label && label->text().contains("30\u00a0g"));
         QVERIFY2(label->text().contains("missing"), qPrintable(label->text()));
         auto* spread = shop.window.findChild<QToolButton*>("spreadDifference");
         QVERIFY(spread);
