@@ -193,7 +193,7 @@ void MainWindow::connectParts()
             });
     connect(&m_docks->panel<LoadPanel>(), &LoadPanel::chosen, m_viewport,
             [this](quint32 element) { m_viewport->centre({Id{element}}); });
-    connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
+    connect(m_recordings, &Recordings::ghostsShown, m_viewport, &Viewport::showGhosts);
     connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear,
             Qt::UniqueConnection); // recordings may have come from a window before
     connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);

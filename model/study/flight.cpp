@@ -63,8 +63,18 @@ std::vector<Layout::Probe> namedProbes(const Simulation& simulation)
 
 } // namespace
 
+void ProbeCurves::take(const ProbeSample& sample)
+{
+    time.push_back(sample.time);
+    value.resize(sample.probe.size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        value[i].resize(time.size() - 1, std::numeric_limits<double>::quiet_NaN());
+        value[i].push_back(sample.probe[i]);
+    }
+}
+
 std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls,
-                                const FlightPlan& plan, Recorder* recorder)
+                                const FlightPlan& plan, Recorder* recorder, ProbeCurves* curves)
 {
     FlightResult flight;
     flight.measured.assign(plan.measures.size(), std::numeric_limits<double>::quiet_NaN());
@@ -79,7 +89,12 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
     flight.probes = namedProbes(simulation);
     Readers readers(plan.measures.empty() ? usualMeasures(flight.probes, plan.from) : plan.measures,
                     flight.probes);
-    readers.take(simulation, timeStep);
+    const auto read = [&] {
+        readers.take(simulation, timeStep);
+        if (curves)
+            curves->take(simulation.sample());
+    };
+    read();
     if (recorder)
         recorder->loaded(simulation, {std::make_shared<const Scene>(scene), {}});
     while (!hasReached(simulation.state().time, plan.seconds, timeStep)) {
@@ -95,7 +110,7 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
             flight.stopped = simulation.trouble()->message.english();
             break;
         }
-        readers.take(simulation, timeStep);
+        read();
         if (plan.untilTear && !simulation.state().tears.empty())
             break;
     }

@@ -45,6 +45,15 @@ struct FlightResult
     const std::string& whyEarly() const { return stopped.empty() ? absurd : stopped; }
 };
 
+// What all probes read at each step.
+struct ProbeCurves
+{
+    std::vector<double> time;               // [samples] s
+    std::vector<std::vector<double>> value; // [probes][samples] in the unit of the probe
+
+    void take(const ProbeSample& sample);
+};
+
 enum class FlightOutcome { Missing, Held, Torn, Stopped };
 FlightOutcome outcomeOf(const FlightResult* flight); // of one that is not flown: Missing
 
@@ -52,7 +61,8 @@ FlightOutcome outcomeOf(const FlightResult* flight); // of one that is not flown
 // it was interrupted. A recorder keeps the flight, frame by frame; who
 // has it takes the recording and finishes it.
 std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls,
-                                const FlightPlan& plan, Recorder* recorder = nullptr);
+                                const FlightPlan& plan, Recorder* recorder = nullptr,
+                                ProbeCurves* curves = nullptr);
 
 // The probes of a scene, with names that tell them apart, and their units.
 Result<std::vector<Layout::Probe>> probesOf(const Scene& scene);

@@ -191,29 +191,31 @@ std::vector<std::string> StudyPoints::values(std::size_t point) const
 {
     if (m_study.plan.kind == PlanKind::Points || m_study.plan.kind == PlanKind::Optimise)
         return m_rows[point];
+    std::vector<std::string> all;
+    for (std::size_t v = 0; v < m_study.variables.size(); ++v)
+        all.push_back(value(point, v));
+    return all;
+}
+
+std::string StudyPoints::value(std::size_t point, std::size_t variable) const
+{
+    if (m_study.plan.kind == PlanKind::Points || m_study.plan.kind == PlanKind::Optimise)
+        return m_rows[point][variable];
     const std::vector<StudyVariable>& variables = m_study.variables;
-    std::vector<std::string> all(variables.size());
+    const std::vector<std::string>& values = variables[variable].values;
     if (m_study.plan.isGrid()) { // as gridPoint() has it
-        for (std::size_t v = variables.size(); v-- > 0;) {
-            const std::vector<std::string>& values = variables[v].values;
-            all[v] = values[point % values.size()];
-            point /= values.size();
-        }
-        return all;
+        for (std::size_t v = variables.size(); --v > variable;)
+            point /= variables[v].values.size();
+        return values[point % values.size()];
     }
     if (m_study.plan.kind == PlanKind::OneAtATime) {
         std::size_t first = 1; // point of the variable's second value
-        for (std::size_t v = 0; v < variables.size(); ++v) {
-            const std::size_t others = variables[v].values.size() - 1;
-            const bool isIts = point >= first && point < first + others;
-            all[v] = variables[v].values[isIts ? point - first + 1 : 0];
-            first += others;
-        }
-        return all;
+        for (std::size_t v = 0; v < variable; ++v)
+            first += variables[v].values.size() - 1;
+        const bool isIts = point >= first && point < first + values.size() - 1;
+        return values[isIts ? point - first + 1 : 0];
     }
-    for (std::size_t v = 0; v < variables.size(); ++v)
-        all[v] = drawn(v, share(point, v));
-    return all;
+    return drawn(variable, share(point, variable));
 }
 
 std::size_t gridPoint(const Study& study, const GridPlace& place)

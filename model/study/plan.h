@@ -27,6 +27,7 @@ public:
 
     // The value of each variable, as --set takes it.
     std::vector<std::string> values(std::size_t point) const;
+    std::string value(std::size_t point, std::size_t variable) const;
 
     // Another point of an optimisation, which has none until it asks for them.
     //   shares  [variables] of its range, 0 to 1

@@ -7,8 +7,12 @@
 #include "scene/path.h"
 #include "scene/typed_number.h"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -141,35 +145,61 @@ std::optional<Failure> checkAssignment(const Scene& scene, const std::string& te
     return edit ? std::nullopt : std::optional(edit.failure());
 }
 
-Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assignments)
+// Makes them in the scene, and tells of each edit.
+static std::optional<Failure> assign(Scene& made, const std::vector<std::string>& assignments,
+                                     const std::function<void(Edit&)>& told)
 {
-    Scene made = scene;
     std::map<Id, Parameters> wanted;
     for (const std::string& text : assignments) {
         if (!setsParameter(text))
             continue;
-        const auto parameter = setParameterOf(scene, text);
+        const auto parameter = setParameterOf(made, text);
         if (!parameter)
             return Failure("%1: %2", text, parameter.message());
-        const auto ref = find(scene, parameter->part);
+        const auto ref = find(std::as_const(made), parameter->part);
         const Parameters& kept = std::get<const Part*>(*ref)->parameters;
         wanted.try_emplace(parameter->part, kept).first->second[parameter->key] = parameter->value;
     }
+    const auto take = [&](Edit& edit) {
+        (void)apply(made, edit);
+        told(edit);
+    };
     for (const auto& [part, parameters] : wanted) {
-        const auto again = rebuilt(made, part, parameters);
+        auto again = rebuilt(made, part, parameters);
         if (!again)
             return again.failure();
-        (void)apply(made, again->edit);
+        take(again->edit);
     }
     for (const std::string& text : assignments) {
         if (setsParameter(text) || setsControls(text))
             continue;
-        const auto edit = propertyAssignment(made, text);
+        auto edit = propertyAssignment(made, text);
         if (!edit)
             return Failure("%1: %2", text, edit.message());
-        (void)apply(made, *edit);
+        take(*edit);
     }
+    return std::nullopt;
+}
+
+Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assignments)
+{
+    Scene made = scene;
+    if (const auto failure = assign(made, assignments, [](Edit&) {}))
+        return *failure;
     return made;
+}
+
+Result<Edit> editWith(const Scene& scene, const std::vector<std::string>& assignments,
+                      Message label)
+{
+    Edit all{std::move(label), {}};
+    Scene made = scene; // each edit is of what those before it have made
+    const auto failure = assign(made, assignments, [&](Edit& edit) {
+        std::ranges::move(edit.changes, std::back_inserter(all.changes));
+    });
+    if (failure)
+        return *failure;
+    return all;
 }
 
 } // namespace ripstop

@@ -27,6 +27,11 @@ Result<Edit> propertyAssignment(const Scene& scene, const std::string& assignmen
 // Fails with a sentence that names the text which cannot be.
 Result<Scene> sceneWith(const Scene& scene, const std::vector<std::string>& assignments);
 
+// The same as one edit of the scene; controls, which are nothing of a design, are left out.
+//   label  of the step that undo takes back
+Result<Edit> editWith(const Scene& scene, const std::vector<std::string>& assignments,
+                      Message label);
+
 // Of what a path sets, or empty.
 std::string unitOf(const Scene& scene, const std::string& path);
 

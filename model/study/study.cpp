@@ -2,11 +2,13 @@
 // after the other (study_fields.h). studyText() writes what studyOf() reads.
 #include "study/study.h"
 
+#include "io/json_place.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
 #include "study/polish.h"
 #include "study/study_fields.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -335,8 +337,29 @@ StudyVariable rangeVariable(double from, double to, int count, bool isLogarithmi
     return variable;
 }
 
+// Where a text is broken, as the reader of scenes tells it.
+static std::optional<Failure> brokenPlace(const std::string& text)
+{
+    std::optional<Failure> failure;
+    walkJson(text, 0, true, [&](const JsonEvent& event) {
+        if (event.type != JsonEvent::Type::Error)
+            return true;
+        const std::size_t place = std::min(event.end > 0 ? event.end - 1 : 0, text.size());
+        const std::string_view before = std::string_view(text).substr(0, place);
+        const std::size_t lineBreak = before.rfind('\n');
+        const std::size_t column =
+            place - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1;
+        failure = Failure("is no study: line %1, column %2 %3", placeOf(text, event.end).line,
+                          column, std::string(event.text));
+        return false;
+    });
+    return failure;
+}
+
 Result<Study> studyOf(const std::string& text)
 {
+    if (const auto failure = brokenPlace(text))
+        return *failure;
     const Json json = Json::parse(text, nullptr, false);
     const auto says = [&](const char* key, const Json& value) {
         return json.contains(key) && json[key] == value;
@@ -355,6 +378,7 @@ Result<Study> studyOf(const std::string& text)
     study.controls = fields.text("controls");
     study.seconds = fields.number("seconds", std::nan(""), 0.0, 1e9);
     study.untilTear = fields.flag("untilTear");
+    study.keep = fields.choice("keep", KeptRuns::Nothing);
     fields.each("variables", true, [&](const Json& variable, const std::string& place) {
         study.variables.push_back(readVariable(variable, place, failure));
     });
@@ -401,6 +425,8 @@ std::string studyText(const Study& study)
     json["seconds"] = study.seconds;
     if (study.untilTear)
         json["untilTear"] = true;
+    if (study.keep != KeptRuns::Nothing)
+        json["keep"] = choiceNames<KeptRuns>[std::size_t(study.keep)];
     for (const StudyVariable& variable : study.variables)
         json["variables"].push_back(variableJson(variable));
     json["plan"] = planJson(study.plan);

@@ -78,6 +78,16 @@ inline constexpr std::array choiceNames<StudyPlan::Kind>{
 template <>
 inline constexpr std::array choiceNames<StudyPlan::Method>{"particle_swarm", "nsga2"};
 
+// Which flights are kept with all of their frames, beside the rows.
+enum class KeptRuns {
+    Nothing,
+    Failed, // that tore or ended early
+    All
+};
+
+template <>
+inline constexpr std::array choiceNames<KeptRuns>{"nothing", "failed", "all"};
+
 struct Study
 {
     std::string title;
@@ -90,6 +100,7 @@ struct Study
     std::vector<Measure> measures; // empty: last, mean, least and largest value of each probe
     std::vector<Objective> objectives;
     std::vector<Constraint> constraints;
+    KeptRuns keep = KeptRuns::Nothing;
     std::filesystem::path folder; // where the files are that it names
 };
 

@@ -2,50 +2,13 @@
 // below stand the lines that are drawn over a grid.
 #include "study/study_map.h"
 
-#include "scene/typed_number.h"
-#include "study/point_scene.h"
-
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace ripstop {
 namespace {
 
 constexpr std::array tearReadings{"first tear (s)", "first tear load (N or N/m)", "torn elements"};
-
-std::string titleOf(const OpenedStudy& opened, const StudyVariable& variable)
-{
-    const std::string unit = unitOf(opened.scene, variable.paths.front());
-    return unit.empty() ? variable.name : variable.name + " (" + unit + ")";
-}
-
-bool spreadsByLogarithm(const StudyVariable& variable)
-{
-    return variable.spread
-           && (variable.spread->kind == Distribution::Kind::Log
-               || variable.spread->kind == Distribution::Kind::LogNormal);
-}
-
-// Where a value lies on an axis: by its number, or in the order in which values without one come.
-class Scale
-{
-public:
-    explicit Scale(std::string unit)
-        : m_unit(std::move(unit))
-    {}
-
-    double placeOf(const std::string& value)
-    {
-        if (const auto number = typedValue(value, m_unit).number)
-            return number->number;
-        return m_place.emplace(value, double(m_place.size())).first->second;
-    }
-
-private:
-    std::string m_unit;
-    std::map<std::string, double> m_place;
-};
 
 StudyAxis axisOf(const OpenedStudy& opened, std::size_t v, bool isGrid)
 {
@@ -115,16 +78,10 @@ StudyMap mapOf(const OpenedStudy& opened, const StudyFlights& flights, const Map
             }
         return map;
     }
-    const auto unit = [&](std::size_t v) {
-        return unitOf(opened.scene, study.variables[v].paths.front());
-    };
-    Scale xScale(unit(choice.x));
-    Scale yScale(unit(choice.y.value_or(choice.x)));
-    for (std::size_t i = 0; i < flights.size(); ++i) {
-        const std::vector<std::string> values = opened.points.values(i);
-        add(i, xScale.placeOf(values[choice.x]),
-            choice.y ? yScale.placeOf(values[*choice.y]) : 0.0);
-    }
+    const StudyColumn x = variableColumn(opened, choice.x);
+    const StudyColumn y = choice.y ? variableColumn(opened, *choice.y) : StudyColumn();
+    for (std::size_t i = 0; i < flights.size(); ++i)
+        add(i, x.value[i], choice.y ? y.value[i] : 0.0);
     return map;
 }
 
@@ -189,15 +146,10 @@ std::vector<MapSegment> contour(const StudyMap& map, double level)
 
 std::optional<ValueSpan> valueSpan(const StudyMap& map)
 {
-    std::optional<ValueSpan> span;
+    std::vector<double> values;
     for (const StudyMap::Point& point : map.points)
-        if (const double value = point.shown(); std::isfinite(value)) {
-            if (!span)
-                span = ValueSpan{value, value};
-            span->least = std::min(span->least, value);
-            span->largest = std::max(span->largest, value);
-        }
-    return span;
+        values.push_back(point.shown());
+    return spanOf(values);
 }
 
 std::vector<double> contourLevels(const StudyMap& map, int most)

@@ -5,7 +5,7 @@
 // numbers are. Values that are no numbers, such as vectors, stand side by side in their order.
 #pragma once
 
-#include "study/study_run.h"
+#include "study/study_columns.h"
 
 #include <array>
 #include <cstddef>
@@ -80,13 +80,7 @@ std::vector<MapSegment> frontier(const StudyMap& map);
 // that are not flown or did not end as meant have no value.
 std::vector<MapSegment> contour(const StudyMap& map, double level);
 
-// Of what is shown; nothing where nothing is.
-struct ValueSpan
-{
-    double least;
-    double largest;
-};
-std::optional<ValueSpan> valueSpan(const StudyMap& map);
+std::optional<ValueSpan> valueSpan(const StudyMap& map); // of what is shown
 
 // Round levels between the least and the largest value, at most `most`.
 std::vector<double> contourLevels(const StudyMap& map, int most);

@@ -2,11 +2,14 @@
 // under a lock as soon as a flight is over; a search goes round again.
 #include "study/study_run.h"
 
+#include "base/hash_text.h"
+#include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
 #include "recording/recorder.h"
 #include "study/frontier_search.h"
 #include "study/many.h"
+#include "study/probe_names.h"
 #include "study/study_search.h"
 
 #include <cmath>
@@ -17,7 +20,8 @@ namespace ripstop {
 namespace {
 
 std::optional<FlightResult> flyWith(const OpenedStudy& opened, std::size_t point,
-                                    const std::function<bool()>& isInterrupted, Recorder* recorder)
+                                    const std::function<bool()>& isInterrupted,
+                                    Recorder* recorder = nullptr, ProbeCurves* curves = nullptr)
 {
     const auto scene = sceneOf(opened, point);
     if (!scene) {
@@ -28,7 +32,27 @@ std::optional<FlightResult> flyWith(const OpenedStudy& opened, std::size_t point
     }
     FlightPlan plan = opened.plan;
     plan.isInterrupted = isInterrupted;
-    return fly(*scene, opened.controlsOf(point), plan, recorder);
+    return fly(*scene, opened.controlsOf(point), plan, recorder, curves);
+}
+
+// Also into a file of its own where the study keeps such a flight. A flight that is only kept when
+// it fails is flown again for that, which comes to the same.
+Result<std::optional<FlightResult>> flyAndKeep(const OpenedStudy& opened, std::size_t point,
+                                               const std::function<bool()>& isInterrupted)
+{
+    const KeptRuns keep = opened.study.keep;
+    if (keep != KeptRuns::All) {
+        auto flight = flyPoint(opened, point, isInterrupted);
+        if (!flight || keep == KeptRuns::Nothing || outcomeOf(&*flight) == FlightOutcome::Held)
+            return flight;
+    }
+    auto flown = flyRecorded(opened, point, isInterrupted);
+    if (!flown)
+        return std::optional<FlightResult>();
+    if (flown->recording)
+        if (auto failure = saveRecording(*flown->recording, keptRun(opened, point)))
+            return *failure;
+    return std::optional(std::move(flown->flight));
 }
 
 // Beside the ledgers, once.
@@ -76,19 +100,54 @@ std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const StudyFli
 std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point,
                                      const std::function<bool()>& isInterrupted)
 {
-    return flyWith(opened, point, isInterrupted, nullptr);
+    return flyWith(opened, point, isInterrupted);
 }
 
 std::optional<RecordedFlight> flyRecorded(const OpenedStudy& opened, std::size_t point,
-                                          const std::function<bool()>& isInterrupted)
+                                          const std::function<bool()>& isInterrupted,
+                                          std::size_t memory)
 {
-    Recorder recorder;
-    auto flight = flyWith(opened, point, isInterrupted, &recorder);
+    Recorder recorder(memory);
+    RecordedFlight recorded;
+    auto flight = flyWith(opened, point, isInterrupted, &recorder, &recorded.curves);
     if (!flight)
         return std::nullopt;
-    RecordedFlight recorded{std::move(*flight), recorder.recording()};
+    recorded.flight = std::move(*flight);
+    recorded.recording = recorder.recording();
     recorder.finish();
     return recorded;
+}
+
+std::filesystem::path keptRun(const OpenedStudy& opened, std::size_t point)
+{
+    return ledgerFolder(opened.file) / (opened.key(point) + std::string(recordingExtension));
+}
+
+std::optional<RecordedFlight> readKeptRun(const OpenedStudy& opened, std::size_t point,
+                                          const FlightResult& row)
+{
+    const std::filesystem::path file = keptRun(opened, point);
+    std::error_code error;
+    if (!std::filesystem::exists(file, error))
+        return std::nullopt;
+    const auto found = openRecording(file);
+    if (!found || found->recording->frameCount() == 0)
+        return std::nullopt;
+    RecordedFlight kept{row, found->recording, {}};
+    const Recording& recording = *kept.recording;
+    if (hashText(recording.hashOf(recording.lastStep())) != row.hash)
+        return std::nullopt;
+    for (std::size_t i = 0; i < recording.frameCount(); ++i) {
+        const auto frame = recording.frame(i);
+        if (!frame)
+            return std::nullopt;
+        kept.curves.take({0, (*frame)->layout, (*frame)->time, (*frame)->probe});
+        kept.flight.probes = (*frame)->layout->probes;
+    }
+    const std::vector<std::string> names = distinctNames(kept.flight.probes);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        kept.flight.probes[i].name = names[i];
+    return kept;
 }
 
 void StudyTally::add(const FlightResult& flight)
@@ -138,11 +197,14 @@ Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int 
         std::optional<Failure> failure;
         std::mutex mutex;
         forEachOfMany(points.size(), jobs, [&](std::size_t i) {
-            const auto flight = flyPoint(opened, points[i], isInterrupted);
+            const auto kept = flyAndKeep(opened, points[i], isInterrupted);
             const std::string key = opened.key(points[i]);
             const std::lock_guard lock(mutex);
-            if (!flight || failure)
+            if (!kept && !failure)
+                failure = kept.failure();
+            if (failure || !*kept)
                 return false;
+            const FlightResult* flight = &**kept;
             failure = ledger->add(key, *flight);
             if (failure)
                 return false;

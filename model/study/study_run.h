@@ -43,9 +43,20 @@ struct RecordedFlight
 {
     FlightResult flight;
     std::shared_ptr<Recording> recording; // null where nothing could be flown
+    ProbeCurves curves;
 };
+//   memory  bytes that the recording may hold before it goes to a temporary file
 std::optional<RecordedFlight> flyRecorded(const OpenedStudy& opened, std::size_t point,
-                                          const std::function<bool()>& isInterrupted);
+                                          const std::function<bool()>& isInterrupted,
+                                          std::size_t memory = std::size_t(512) << 20);
+
+// The file of a flight that was kept with its frames (KeptRuns), whether it is there or not.
+std::filesystem::path keptRun(const OpenedStudy& opened, std::size_t point);
+
+// What is in that file, with what the probes read at its frames; nothing where it is not there or
+// does not end as the row says.
+std::optional<RecordedFlight> readKeptRun(const OpenedStudy& opened, std::size_t point,
+                                          const FlightResult& row);
 
 struct StudyTally
 {

@@ -644,6 +644,16 @@
         <translation>il faut une largeur et une profondeur au-dessus de 0 et une hauteur d’au moins 0 : corriger sa taille.</translation>
     </message>
     <message>
+        <location filename="columns_view.cpp"/>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <location filename="columns_view.cpp"/>
+        <source>Which variables and measures are shown</source>
+        <translation>Les variables et les mesures montrées</translation>
+    </message>
+    <message>
         <location filename="compare_runs.cpp"/>
         <source>One of the recordings holds no frame.</source>
         <translation>L’un des enregistrements ne contient aucune image.</translation>
@@ -2869,6 +2879,36 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>aucun</translation>
     </message>
     <message>
+        <location filename="flight_curves.cpp"/>
+        <source>Compare no more</source>
+        <translation>Ne plus comparer</translation>
+    </message>
+    <message>
+        <location filename="flight_curves.cpp"/>
+        <source>How the flights are shown in the view</source>
+        <translation>Comment les vols sont montrés dans la vue</translation>
+    </message>
+    <message>
+        <location filename="flight_curves.cpp"/>
+        <source>Probe of the curves</source>
+        <translation>Sonde des courbes</translation>
+    </message>
+    <message>
+        <location filename="flight_curves.cpp"/>
+        <source>ghosts over each other</source>
+        <translation>fantômes superposés</translation>
+    </message>
+    <message>
+        <location filename="flight_curves.cpp"/>
+        <source>ghosts side by side</source>
+        <translation>fantômes côte à côte</translation>
+    </message>
+    <message>
+        <location filename="flight_curves.cpp"/>
+        <source>no ghosts</source>
+        <translation>sans fantômes</translation>
+    </message>
+    <message>
         <location filename="formula.cpp"/>
         <source>"%1" is no other probe; names are written with _ for blanks</source>
         <translation>« %1 » n’est pas une autre sonde ; les noms s’écrivent avec _ pour les blancs</translation>
@@ -2940,8 +2980,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
+        <source>&amp;Limit something…</source>
+        <translation>&amp;Limiter quelque chose…</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
         <source>&amp;Want something…</source>
         <translation>&amp;Ajouter un objectif…</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>A measure that may be at most or has to be at least some value in a good design.</source>
+        <translation>Une mesure qui, dans une bonne conception, ne dépasse pas une valeur ou l’atteint au moins.</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
@@ -2950,13 +3000,23 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
+        <source>At least</source>
+        <translation>Au moins</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
         <source>Largest</source>
         <translation>Le plus grand</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
-        <source>Limits of measures, as the file of the study has them.</source>
-        <translation>Limites de mesures, telles que le fichier de l’étude les a.</translation>
+        <source>Limit this no more</source>
+        <translation>Ne plus limiter ceci</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
@@ -2980,6 +3040,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
+        <source>The limit</source>
+        <translation>La limite</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
         <source>The value that is wanted</source>
         <translation>La valeur voulue</translation>
     </message>
@@ -2997,6 +3062,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="goal_form.cpp"/>
         <source>What of its values</source>
         <translation>Ce que l’on prend de ses valeurs</translation>
+    </message>
+    <message>
+        <location filename="goal_form.cpp"/>
+        <source>Which side is limited</source>
+        <translation>Le côté limité</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
@@ -5894,6 +5964,26 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>la scène n’a rien de la sorte %1</translation>
     </message>
     <message>
+        <location filename="percentile_chart.cpp"/>
+        <source>25 to 75 %</source>
+        <translation>de 25 à 75 %</translation>
+    </message>
+    <message>
+        <location filename="percentile_chart.cpp"/>
+        <source>5 to 95 %</source>
+        <translation>de 5 à 95 %</translation>
+    </message>
+    <message>
+        <location filename="percentile_chart.cpp"/>
+        <source>ended early</source>
+        <translation>arrêté tôt</translation>
+    </message>
+    <message>
+        <location filename="percentile_chart.cpp"/>
+        <source>median</source>
+        <translation>médiane</translation>
+    </message>
+    <message>
         <location filename="pin.cpp"/>
         <source>A line through what is selected needs two particles in different places. Select one more, or choose x, y or z.</source>
         <translation>Une droite par la sélection demande deux particules à des endroits différents. En sélectionner une de plus, ou choisir x, y ou z.</translation>
@@ -6297,6 +6387,36 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="point_scene.cpp"/>
         <source>the part "%1" was not made by a builder</source>
         <translation>la pièce « %1 » n’a pas été faite par un constructeur</translation>
+    </message>
+    <message>
+        <location filename="point_table.cpp"/>
+        <source>Points of the study</source>
+        <translation>Points de l’étude</translation>
+    </message>
+    <message>
+        <location filename="point_table.cpp"/>
+        <source>held</source>
+        <translation>a tenu</translation>
+    </message>
+    <message>
+        <location filename="point_table.cpp"/>
+        <source>not flown</source>
+        <translation>pas volé</translation>
+    </message>
+    <message>
+        <location filename="point_table.cpp"/>
+        <source>outcome</source>
+        <translation>issue</translation>
+    </message>
+    <message>
+        <location filename="point_table.cpp"/>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <location filename="point_table.cpp"/>
+        <source>tore</source>
+        <translation>déchiré</translation>
     </message>
     <message>
         <location filename="polar_chart.cpp"/>
@@ -8878,6 +8998,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study.cpp"/>
+        <source>is no study: line %1, column %2 %3</source>
+        <translation>n’est pas une étude : ligne %1, colonne %2 %3</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
         <source>was written by another version of Ripstop; use that</source>
         <translation>a été écrit par une autre version de Ripstop ; utiliser celle-ci</translation>
     </message>
@@ -8938,6 +9063,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_form.cpp"/>
+        <source>All are kept</source>
+        <translation>Tous sont gardés</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
         <source>Along the tear line</source>
         <translation>Le long de la ligne de déchirure</translation>
     </message>
@@ -8988,8 +9118,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_form.cpp"/>
+        <source>None is kept</source>
+        <translation>Aucun n’est gardé</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
         <source>Number of points</source>
         <translation>Nombre de points</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Of those that tore or ended early</source>
+        <translation>De ceux déchirés ou arrêtés tôt</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -9000,6 +9140,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_form.cpp"/>
         <source>Points</source>
         <translation>Points</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Recordings</source>
+        <translation>Enregistrements</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -9038,6 +9183,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_form.cpp"/>
+        <source>Which flights are kept with all of their frames</source>
+        <translation>Les vols gardés avec toutes leurs images</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
         <source>Which variable matters</source>
         <translation>Quelle variable compte</translation>
     </message>
@@ -9058,6 +9208,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
+        <source>%1 flights again, all the same to the bit.</source>
+        <translation>%1 vols refaits, tous identiques au bit près.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
         <source>%1 flown along the tear line</source>
         <translation>%1 volés le long de la ligne</translation>
     </message>
@@ -9073,8 +9228,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
+        <source>%1 of %2 flights came to another state than the study has: the study is of another version or machine.</source>
+        <translation>%1 vols sur %2 sont arrivés à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
         <source>%1 of %2 flown</source>
         <translation>%1 sur %2 volés</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>%1 of %2 flown again</source>
+        <translation>%1 sur %2 revolés</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -9137,6 +9302,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_panel.cpp"/>
+        <source>Flying them again…</source>
+        <translation>Nouveaux vols…</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
         <source>It flies %1, which is not the design that is open.</source>
         <translation>Elle fait voler %1, qui n’est pas la conception ouverte.</translation>
     </message>
@@ -9187,8 +9357,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_panel.cpp"/>
-        <source>The open design cannot take it. %1: %2</source>
-        <translation>La conception ouverte ne peut pas les prendre. %1 : %2</translation>
+        <source>The open design cannot take it. %1</source>
+        <translation>La conception ouverte ne peut pas les prendre. %1</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -9202,6 +9372,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
+        <source>%1 flights are selected.</source>
+        <translation>%1 vols sont sélectionnés.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
         <source>%1 is %2. </source>
         <translation>%1 vaut %2. </translation>
     </message>
@@ -9209,6 +9384,21 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="study_view.cpp"/>
         <source>&amp;Apply</source>
         <translation>&amp;Appliquer</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>&amp;Compare %1</source>
+        <translation>&amp;Comparer %1</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>&amp;Curves (SVG, PDF, PNG, CSV)…</source>
+        <translation>&amp;Courbes (SVG, PDF, PNG, CSV)…</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>
@@ -9252,6 +9442,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
+        <source>Fly the selected flights again in the background, and show the curves of a probe over each other and the flights as ghosts in the view. Ctrl or Shift and click, or a rubber band, selects several.</source>
+        <translation>Refaire voler les vols sélectionnés en arrière-plan, et montrer les courbes d’une sonde superposées et les vols en fantômes dans la vue. Ctrl ou Maj et clic, ou un rectangle tiré, en sélectionne plusieurs.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
         <source>Front</source>
         <translation>Front</translation>
     </message>
@@ -9272,13 +9467,33 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
+        <source>Parallel axes</source>
+        <translation>Axes parallèles</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Percentiles</source>
+        <translation>Centiles</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
         <source>Pictures (*.svg *.pdf *.png)</source>
         <translation>Images (*.svg *.pdf *.png)</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>
+        <source>Pictures (*.svg *.pdf *.png);;Tables (*.csv)</source>
+        <translation>Images (*.svg *.pdf *.png);;Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
         <source>Save the table or the picture</source>
         <translation>Enregistrer le tableau ou l'image</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
+        <source>Scatter matrix</source>
+        <translation>Matrice de nuages</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>
@@ -10404,11 +10619,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Colour in the view, as #rrggbb.</source>
         <translation>Couleur dans la vue, sous la forme #rrvvbb.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Columns</source>
-        <translation>Colonnes</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -1,6 +1,7 @@
 // Pictures of everything that the window can show, to be looked at.
 //
 //     xvfb-run build/release/bin/ripstop-album FOLDER [--size WxH] [--theme NAME] [--only PART]
+//     xvfb-run build/release/bin/ripstop-album FOLDER --studies [--size WxH] [--theme NAME]
 //     xvfb-run build/release/bin/ripstop-album FOLDER --manual
 //
 // Leaves FOLDER/THEME-WxH/*.png for each size and theme (1280x800 and 1920x1080, light and dark,
@@ -63,7 +64,9 @@ private:
     int m_turns = 0;
 };
 
-void fill(const QString& folder, const QString& theme, QSize size, const QString& only)
+using Show = void (*)(WindowShop&, const WindowWalk::Look&);
+
+void fill(Show show, const QString& folder, const QString& theme, QSize size, const QString& only)
 {
     const QString name = QString("%1-%2x%3").arg(theme).arg(size.width()).arg(size.height());
     QDir().mkpath(QDir(folder).filePath(name));
@@ -71,7 +74,7 @@ void fill(const QString& folder, const QString& theme, QSize size, const QString
     shop.window.resize(size);
     shop.window.show();
     QApplication::setActiveWindow(&shop.window); // Xvfb has no window manager to do it
-    showEverything(shop, Photographer(shop.window, QDir(folder).filePath(name), only));
+    show(shop, Photographer(shop.window, QDir(folder).filePath(name), only));
 }
 
 } // namespace
@@ -88,7 +91,8 @@ int main(int argc, char** argv)
     const QCommandLineOption theme("theme", "light and dark unless named.", "NAME");
     const QCommandLineOption only("only", "What has this in its name.", "PART");
     const QCommandLineOption manual("manual", "The pictures of the manual instead.");
-    parser.addOptions({size, theme, only, manual});
+    const QCommandLineOption studies("studies", "The panel of studies alone.");
+    parser.addOptions({size, theme, only, manual, studies});
     parser.process(application);
     if (parser.positionalArguments().size() != 1)
         parser.showHelp(2);
@@ -104,7 +108,8 @@ int main(int argc, char** argv)
     for (const QString& one : themes) {
         applyThemeChoice(application, one == "dark" ? ThemeChoice::Dark : ThemeChoice::Light);
         for (const QString& pixels : sizes)
-            fill(parser.positionalArguments().first(), one,
+            fill(parser.isSet(studies) ? showStudies : showEverything,
+                 parser.positionalArguments().first(), one,
                  QSize(pixels.section('x', 0, 0).toInt(), pixels.section('x', 1).toInt()),
                  parser.value(only));
     }

@@ -10,6 +10,7 @@
 #include "study/study_panel.h"
 #include "study/study_view.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QTemporaryDir>
@@ -98,27 +99,72 @@ QImage byHand()
     return picture;
 }
 
-// The shipped study of a line in gusts, flown, with a flight that is chosen.
-QImage studyMap()
+// A shipped study, flown.
+struct StudyDesk : Desk
 {
-    const QTemporaryDir folder;
-    const QString study = folder.filePath("line_in_gusts.ripstop-study.json");
-    for (const QString name : {"kite_in_gusts.ripstop.json", "line_in_gusts.ripstop-study.json"})
-        QFile::copy(QStringLiteral(SCENES_DIR "/") + name, folder.filePath(name));
-    Desk desk{Scene{}};
-    desk.window.openStudy(study);
-    auto& panel = desk.window.docks().panel<StudyPanel>();
-    const auto rests = [&] { return panel.runner().task() == StudyRunner::Task::None; };
-    (void)QTest::qWaitFor([&] { return rests() && panel.runner().study(); }, 20000);
-    panel.run();
-    (void)QTest::qWaitFor(
-        [&] { return rests() && panel.runner().tally().flown == panel.runner().flights().size(); },
-        300'000);
-    auto* dock = desk.window.findChild<QDockWidget*>("study");
-    desk.window.resizeDocks({dock}, {420}, Qt::Vertical);
-    panel.view().choose(17);
-    desk.settle();
-    return pictureOf(desk.window);
+    QTemporaryDir folder;
+    StudyPanel& panel = window.docks().panel<StudyPanel>();
+
+    explicit StudyDesk(const QString& name)
+        : Desk(Scene{})
+    {
+        const QString study = name + QStringLiteral(".ripstop-study.json");
+        for (const QString& file : {QStringLiteral("kite_in_gusts.ripstop.json"), study})
+            QFile::copy(QStringLiteral(SCENES_DIR "/") + file, folder.filePath(file));
+        window.openStudy(folder.filePath(study));
+        (void)QTest::qWaitFor([&] { return rests() && panel.runner().study(); }, 20'000);
+        panel.run();
+        (void)QTest::qWaitFor(
+            [&] {
+                return rests() && panel.runner().tally().flown == panel.runner().flights().size();
+            },
+            300'000);
+        auto* dock = window.findChild<QDockWidget*>("study");
+        window.resizeDocks({dock}, {420}, Qt::Vertical);
+    }
+
+    bool rests() const { return panel.runner().task() == StudyRunner::Task::None; }
+    void choose(const QString& words) // in whichever box has it
+    {
+        for (QComboBox* box : panel.findChildren<QComboBox*>())
+            if (const int place = box->findText(words); place >= 0) {
+                box->setCurrentIndex(place);
+                emit box->activated(place);
+            }
+    }
+    QImage picture()
+    {
+        settle();
+        return pictureOf(window);
+    }
+};
+
+void takeStudies(const QDir& target)
+{
+    {
+        StudyDesk desk("line_in_gusts");
+        desk.panel.view().choose(17);
+        desk.picture().save(target.filePath("study-map.png"));
+        desk.panel.view().select({15, 16, 18, 20});
+        emit desk.panel.view().compareWanted(desk.panel.view().selected());
+        (void)QTest::qWaitFor(
+            [&] { return desk.rests() && desk.panel.view().curves().isVisible(); }, 60'000);
+        desk.choose("ghosts side by side");
+        desk.picture().save(target.filePath("study-compare.png"));
+    }
+    StudyDesk desk("gust_seeds");
+    desk.choose("Percentiles");
+    desk.choose("strength");
+    desk.picture().save(target.filePath("study-percentiles.png"));
+    desk.choose("Parallel axes");
+    std::vector<std::size_t> held;
+    for (std::size_t i = 0; i < desk.panel.runner().flights().size(); ++i)
+        if (outcomeOf(desk.panel.runner().flights()[i]) == FlightOutcome::Held)
+            held.push_back(i);
+    desk.panel.view().select(held);
+    desk.picture().save(target.filePath("study-parallel.png"));
+    desk.choose("Scatter matrix");
+    desk.picture().save(target.filePath("study-scatter.png"));
 }
 
 } // namespace
@@ -129,7 +175,7 @@ void takeManualPictures(const QString& folder)
     drawing().save(target.filePath("drawing.png"));
     rigidity().save(target.filePath("rigidity.png"));
     byHand().save(target.filePath("by-hand.png"));
-    studyMap().save(target.filePath("study-map.png"));
+    takeStudies(target);
 }
 
 } // namespace ripstop

@@ -227,7 +227,39 @@ void studied(WindowShop& shop, WindowWalk& walk)
     emit panel.view().watchWanted(9);
     (void)QTest::qWaitFor([&] { return panel.runner().task() == StudyRunner::Task::None; }, 20000);
     walk.window("study watched");
+
+    // several cells, and the pictures that share one selection
+    const auto show = [&](const char* words) {
+        for (QComboBox* box : panel.findChildren<QComboBox*>())
+            if (const int place = box->findText(words); place >= 0) {
+                box->setCurrentIndex(place);
+                emit box->activated(place);
+            }
+    };
+    panel.view().select({1, 7, 13, 19});
+    walk.window("study several");
+    emit panel.view().compareWanted(panel.view().selected());
+    (void)QTest::qWaitFor([&] { return panel.view().curves().isVisible(); }, 20000);
+    walk.window("study compared");
+    show("ghosts side by side");
+    walk.window("study beside");
+    emit panel.view().curves().closed();
+    for (const char* picture : {"Percentiles", "Parallel axes", "Scatter matrix", "Table"}) {
+        show(picture);
+        walk.window(QString("study picture %1").arg(picture));
+    }
+    show("Map");
 }
+
+} // namespace
+
+void showStudies(WindowShop& shop, const WindowWalk::Look& look)
+{
+    WindowWalk walk(shop, look);
+    studied(shop, walk);
+}
+
+namespace {
 
 void comesByItself(WindowShop& shop, WindowWalk& walk)
 {

@@ -15,6 +15,9 @@ void prepareViews(); // has to be called before the application exists
 // by itself.
 void showEverything(WindowShop& shop, const WindowWalk::Look& look);
 
+// All that the panel of studies shows, of a kite in gusts.
+void showStudies(WindowShop& shop, const WindowWalk::Look& look);
+
 // Says what is cut off, has no name for those who do not see it, or does not fit on the screen.
 QStringList faultsOf(const QWidget& window);
 

@@ -1,101 +1,27 @@
 // The study panel in the window: a study made by pointing at properties, flown in the background,
 // and what is done with a flight of its map.
-#include "app/window_shop.h"
+#include "app/study_shop.h"
 #include "model/files.h"
 
 #include "document/recordings.h"
-#include "inspector/inspector.h"
+#include "scene/path.h"
+#include "study/flight_curves.h"
 #include "study/goal_chart.h"
 #include "study/goal_form.h"
 #include "study/study_chart.h"
-#include "study/study_form.h"
-#include "study/study_panel.h"
-#include "study/study_view.h"
 
-#include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
 #include <QSpinBox>
-#include <QTemporaryDir>
 #include <qcustomplot.h>
+
+#include <set>
 
 namespace ripstop::test_study_panel {
 
 namespace {
-
-constexpr int patience = 60'000; // ms; other work may be on the machine
-
-// A window with a copy of a sample in a folder of its own.
-struct StudyShop : WindowShop
-{
-    QTemporaryDir folder;
-    StudyPanel& panel = window.docks().panel<StudyPanel>();
-    QSignalSpy said{&panel, &StudyPanel::said};
-
-    explicit StudyShop(const char* sample = "pendulum")
-    {
-        const QString file = folder.filePath("a.ripstop.json");
-        QFile::copy(QString(SCENES_DIR "/%1.ripstop.json").arg(sample), file);
-        if (document.open(file))
-            qFatal("the sample cannot be opened");
-        window.resize(1280, 900);
-        window.show();
-    }
-
-    SliderShelf& shelf() { return window.docks().panel<Inspector>().sliders(); }
-    const Property& property(Kind kind, const char* key) { return *findProperty(kind, key); }
-    QPushButton& button(const QString& words)
-    {
-        for (QPushButton* one : panel.findChildren<QPushButton*>())
-            if (one->text().remove('&') == words)
-                return *one;
-        qFatal("there is no such button");
-    }
-    void setSeconds(double seconds)
-    {
-        Study study = panel.form().study();
-        study.seconds = seconds;
-        show(study);
-    }
-    // In the form, as a person would have made it.
-    void show(const Study& study)
-    {
-        QStringList probes;
-        for (const Entry& entry : document.scene().items)
-            if (const auto* probe = std::get_if<Probe>(&entry.item))
-                probes << QString::fromStdString(probe->name);
-        panel.form().setStudy(
-            study, [](const StudyVariable&) { return QString(); }, probes);
-        emit panel.form().edited();
-    }
-    bool chooseIn(const QString& name, int place)
-    {
-        for (QComboBox* box : panel.findChildren<QComboBox*>())
-            if (box->accessibleName() == name && place >= 0 && place < box->count()) {
-                box->setCurrentIndex(place);
-                emit box->activated(place);
-                return true;
-            }
-        return false;
-    }
-    void choosePlan(StudyPlan::Kind kind)
-    {
-        for (QComboBox* box : panel.findChildren<QComboBox*>())
-            if (box->accessibleName() == "Points" && !chooseIn("Points", box->findData(int(kind))))
-                qFatal("there is no such plan");
-    }
-    bool choosePicture(const QString& words)
-    {
-        for (QComboBox* box : panel.findChildren<QComboBox*>())
-            if (box->accessibleName() == "Picture")
-                return box->isVisible() && chooseIn("Picture", box->findText(words));
-        return false;
-    }
-    bool isDone() const { return panel.runner().task() == StudyRunner::Task::None; }
-    QString lastSaid() const { return said.isEmpty() ? QString() : said.last().first().toString(); }
-};
 
 constexpr Id weight{4}; // of the pendulum
 
@@ -167,6 +93,121 @@ private slots:
         QTest::mouseClick(&shop.button("Apply"), Qt::LeftButton);
         QCOMPARE(shop.document.scene().settings.gravity, Vec3(0.5 * before.settings.gravity));
         QCOMPARE(shop.document.history().count(), 1);
+        shop.document.history().undo();
+        QVERIFY(shop.document.scene() == before);
+    }
+
+    // Ctrl takes a cell to the selection, Shift the rectangle up to it, and a rubber band what is
+    // in it; then their curves and ghosts.
+    void comparesSeveralCells()
+    {
+        StudyShop shop;
+        shop.shelf().study(shop.property(Kind::Particle, "mass"), {weight});
+        shop.shelf().study(shop.property(Kind::Settings, "gravity"), {settingsId});
+        shop.setSeconds(0.5);
+        shop.panel.run();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 25,
+                                 patience);
+        StudyView& view = shop.panel.view();
+        QTest::qWait(50);
+        QWidget& plot = view.chart().plot();
+        const auto placeOf = [&](std::size_t point) {
+            return view.chart().placeOf(point).toPoint();
+        };
+        const auto click = [&](std::size_t point, Qt::KeyboardModifiers keys) {
+            QTest::mouseClick(&plot, Qt::LeftButton, keys, placeOf(point));
+        };
+        using Points = std::vector<std::size_t>;
+        click(0, {});
+        QVERIFY(!shop.button("Compare").isEnabled());
+        click(6, Qt::ControlModifier);
+        QCOMPARE(view.selected(), (Points{0, 6}));
+        click(6, Qt::ControlModifier);
+        QCOMPARE(view.selected(), (Points{0}));
+        click(0, {});
+        click(6, Qt::ShiftModifier); // masses 0 and 1 with gravities 0 and 1
+        QCOMPARE(std::set(view.selected().begin(), view.selected().end()),
+                 (std::set<std::size_t>{0, 1, 5, 6}));
+        StudyShop::drag(plot, placeOf(18) + QPoint(-4, 4), placeOf(24) + QPoint(4, -4));
+        QCOMPARE(std::set(view.selected().begin(), view.selected().end()),
+                 (std::set<std::size_t>{18, 19, 23, 24}));
+
+        QTest::mouseClick(&shop.button("Compare 4"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && view.curves().isVisible(), patience);
+        QCOMPARE(view.curves().curves().size(), std::size_t(4));
+        QCOMPARE(view.curves().plot().plottableCount(), 4);
+        for (const FlightCurve& one : view.curves().curves()) {
+            const auto kept = shop.panel.runner().kept(one.point);
+            QVERIFY(kept && kept->isSame);
+            // a sample at the start and after each of its steps
+            QCOMPARE(std::int64_t(one.flight->curves.time.size()), one.flight->flight.steps + 1);
+        }
+        // one is looked at, and the others are its ghosts, over it or beside it
+        const Recordings& recordings = shop.window.recordings();
+        QCOMPARE(recordings.list().size(), std::size_t(1));
+        QCOMPARE(recordings.ghosts().size(), std::size_t(3));
+        QVERIFY(recordings.ghosts()[0].shift == Vec3(0.0, 0.0, 0.0));
+        QVERIFY(shop.chooseIn("How the flights are shown in the view", 1));
+        QVERIFY(recordings.ghosts()[2].shift == Vec3(3.0 * recordings.ghosts()[0].shift));
+        QVERIFY(recordings.ghosts()[0].shift.norm() > 0.0);
+
+        // a click on a curve chooses its flight, of those that are selected
+        QCustomPlot& curves = view.curves().plot();
+        curves.replot();
+        const ProbeCurves& second = view.curves().curves()[1].flight->curves;
+        const std::size_t middle = second.time.size() / 2;
+        QTest::mouseClick(&curves, Qt::LeftButton, {},
+                          QPointF(curves.xAxis->coordToPixel(second.time[middle]),
+                                  curves.yAxis->coordToPixel(second.value[0][middle]))
+                              .toPoint());
+        QVERIFY(view.chosen() == view.curves().curves()[1].point);
+        QCOMPARE(view.selected().size(), std::size_t(4));
+        // and what was flown again is kept
+        QTest::mouseClick(&shop.button("Watch"), Qt::LeftButton);
+        QVERIFY(shop.isDone());
+        QCOMPARE(recordings.list().size(), std::size_t(2));
+    }
+
+    void comparingCanBeStopped()
+    {
+        StudyShop shop("delta_kite");
+        shop.shelf().study(shop.property(Kind::Settings, "airDensity"), {settingsId});
+        shop.setSeconds(0.05);
+        shop.panel.run();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 5, patience);
+        shop.panel.view().select({0, 1, 2, 3, 4});
+        QTest::mouseClick(&shop.button("Compare 5"), Qt::LeftButton);
+        QCOMPARE(shop.panel.runner().task(), StudyRunner::Task::Comparing);
+        QTest::mouseClick(&shop.button("Stop"), Qt::LeftButton);
+        QVERIFY(shop.isDone());
+        QVERIFY(!shop.panel.view().curves().isVisible());
+    }
+
+    // A parameter of a builder builds the part again; one step takes it back.
+    void appliesWhatBuildersTake()
+    {
+        StudyShop shop("delta_kite");
+        Study study;
+        study.seconds = 0.02;
+        const Id kite = *findNamed(shop.document.scene(), Kind::Part, "kite");
+        const auto spanNow = [&] {
+            return std::get<const Part*>(*find(shop.document.scene(), kite))->parameters.at("span");
+        };
+        StudyVariable span = rangeVariable(2.0, 2.2, 2, false);
+        span.name = "span";
+        span.paths = {"kite.built.span"};
+        study.variables = {span};
+        shop.shelf().study(shop.property(Kind::Settings, "airDensity"), {settingsId});
+        shop.show(study);
+        shop.panel.run();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 2, patience);
+        const Scene before = shop.document.scene();
+        const int steps = shop.document.history().count();
+        shop.panel.view().choose(1);
+        QTest::mouseClick(&shop.button("Apply"), Qt::LeftButton);
+        QVERIFY2(shop.lastSaid().contains("has the values"), qPrintable(shop.panel.state()));
+        QCOMPARE(spanNow(), 2.2);
+        QCOMPARE(shop.document.history().count(), steps + 1);
         shop.document.history().undo();
         QVERIFY(shop.document.scene() == before);
     }
@@ -244,6 +285,42 @@ private slots:
                                  patience);
         QVERIFY(shop.choosePicture("Front"));
         QCOMPARE(shop.panel.view().goals().pointCount(), 8);
+    }
+
+    // Limits on measures and what is kept are edited in the form, and the file has them.
+    void limitsAndWhatIsKept()
+    {
+        StudyShop shop;
+        shop.shelf().study(shop.property(Kind::Particle, "mass"), {weight});
+        shop.setSeconds(0.1);
+        QTest::mouseClick(&shop.button("Limit something…"), Qt::LeftButton);
+        QCOMPARE(shop.panel.form().study().constraints.size(), std::size_t(1));
+        QDoubleSpinBox* limit = nullptr;
+        for (QDoubleSpinBox* box : shop.panel.findChildren<QDoubleSpinBox*>())
+            if (box->accessibleName() == "The limit")
+                limit = box;
+        QVERIFY(limit);
+        limit->setValue(12.5);
+        QVERIFY(shop.chooseIn("Which side is limited", 1));
+        QVERIFY(shop.chooseIn("Which flights are kept with all of their frames", 2));
+        shop.panel.run();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 5, patience);
+        const auto written = readStudy(shop.panel.file().toStdString());
+        QVERIFY(written);
+        QCOMPARE(written->constraints.size(), std::size_t(1));
+        QVERIFY(written->constraints[0].kind == Constraint::Kind::AtLeast);
+        QCOMPARE(written->constraints[0].limit, 12.5);
+        QVERIFY(written->constraints[0].measure.reduction == Reduction::Largest);
+        QVERIFY(written->keep == KeptRuns::All);
+        const QDir runs(shop.folder.filePath("a.ripstop-runs"));
+        QCOMPARE(runs.entryList({"*.ripstop-run"}).size(), 5);
+        // what was kept is read and not flown again
+        FlightResult row = *shop.panel.runner().flights()[2];
+        const auto kept = readKeptRun(*shop.panel.runner().study(), 2, row);
+        QVERIFY(kept && kept->recording);
+        QVERIFY(!kept->curves.time.empty());
+        row.hash = "0"; // a row that came to another state
+        QVERIFY(!readKeptRun(*shop.panel.runner().study(), 2, row));
     }
 
     void showsWhatMatters()

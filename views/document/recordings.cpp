@@ -142,8 +142,8 @@ void Recordings::remove(std::shared_ptr<Recording> recording)
     std::erase_if(m_given, [&](const Given& one) { return one.recording.lock() == recording; });
     if (m_live == recording)
         m_live = nullptr;
-    if (m_ghost == recording)
-        setGhost(nullptr);
+    if (std::erase_if(m_ghosts, [&](const Ghost& one) { return one.recording == recording; }) > 0)
+        setGhosts(m_ghosts);
     if (m_current == recording)
         setCurrent(m_list.empty() ? nullptr : m_list.back());
     emit listChanged();
@@ -236,7 +236,7 @@ void Recordings::leavePast()
     m_wantsPast = false;
     if (m_live && m_current != m_live)
         makeCurrent(m_live);
-    emit ghostShown(nullptr);
+    emit ghostsShown({});
     m_seen = 0;
     watch();
     emit moved();
@@ -282,18 +282,34 @@ bool Recordings::toBookmark(Way way)
     return found.has_value();
 }
 
-void Recordings::ask() { m_fetcher.post({m_current, m_frame, m_ghost}); }
+void Recordings::ask() { m_fetcher.post({m_current, m_frame, m_ghosts}); }
+
+// Null where it has none.
+static std::shared_ptr<const Frame> ghostFrame(const Recordings::Ghost& ghost, double time)
+{
+    if (ghost.recording->frameCount() == 0)
+        return nullptr;
+    const auto frame = ghost.recording->frame(ghost.recording->frameAt(time));
+    if (!frame)
+        return nullptr;
+    if (ghost.shift == Vec3(0.0, 0.0, 0.0))
+        return *frame;
+    const auto shifted = std::make_shared<Frame>(**frame);
+    for (Vec3& position : shifted->position)
+        position += ghost.shift;
+    return shifted;
+}
 
 Recordings::Shown Recordings::fetch(const Wish& wish)
 {
     Shown shown;
     const auto frame = wish.recording->frame(wish.frame);
     if (!frame)
-        return {nullptr, nullptr, frame.message()};
+        return {nullptr, {}, frame.message()};
     shown.frame = *frame;
-    if (wish.ghost && wish.ghost->frameCount() > 0)
-        if (const auto ghost = wish.ghost->frame(wish.ghost->frameAt(shown.frame->time)))
-            shown.ghost = *ghost;
+    for (const Ghost& ghost : wish.ghosts)
+        if (auto there = ghostFrame(ghost, shown.frame->time))
+            shown.ghosts.push_back({std::move(there), ghost.color});
     return shown;
 }
 
@@ -309,14 +325,22 @@ void Recordings::take()
     }
     m_showsPast = true;
     m_player.lookAt(shown->frame);
-    emit ghostShown(shown->ghost);
+    emit ghostsShown(shown->ghosts);
 }
 
 void Recordings::setGhost(std::shared_ptr<Recording> recording)
 {
-    m_ghost = std::move(recording);
-    if (!m_ghost)
-        emit ghostShown(nullptr);
+    std::vector<Ghost> ghosts;
+    if (recording)
+        ghosts.push_back({std::move(recording)});
+    setGhosts(std::move(ghosts));
+}
+
+void Recordings::setGhosts(std::vector<Ghost> ghosts)
+{
+    m_ghosts = std::move(ghosts);
+    if (m_ghosts.empty())
+        emit ghostsShown({});
     else if (m_wantsPast)
         ask();
     else

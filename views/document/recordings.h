@@ -11,6 +11,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QRgb>
 #include <QString>
 #include <QTimer>
 
@@ -20,6 +21,13 @@
 #include <vector>
 
 namespace ripstop {
+
+// A ghost as views draw it.
+struct GhostFrame
+{
+    std::shared_ptr<const Frame> frame;
+    std::optional<QRgb> color;
+};
 
 class Recordings final : public QObject
 {
@@ -84,9 +92,21 @@ public:
     bool isComputing() const { return m_computing; }
     void cancel(); // what is being computed
 
-    // Another recording whose frame of the same time is shown as a ghost, or null.
-    const std::shared_ptr<Recording>& ghost() const { return m_ghost; }
-    void setGhost(std::shared_ptr<Recording> recording);
+    // Other recordings whose frames of the same time are shown as ghosts.
+    struct Ghost
+    {
+        std::shared_ptr<Recording> recording;
+        Vec3 shift{0.0, 0.0, 0.0};      // m, to the side of where it flew
+        std::optional<QRgb> color = {}; // none: that of all ghosts
+    };
+    const std::vector<Ghost>& ghosts() const { return m_ghosts; }
+    void setGhosts(std::vector<Ghost> ghosts);
+
+    std::shared_ptr<Recording> ghost() const // the first, or null
+    {
+        return m_ghosts.empty() ? nullptr : m_ghosts.front().recording;
+    }
+    void setGhost(std::shared_ptr<Recording> recording); // that one alone, or none
 
 signals:
     void listChanged();  // the list, which run is the current one, or the name of a run
@@ -98,19 +118,19 @@ signals:
     void said(const QString& words); // what has been done, for the status bar
     // An event has been jumped to; `more` further events belong to the same frame.
     void reached(const ripstop::RunEvent& event, int more);
-    void ghostShown(const std::shared_ptr<const ripstop::Frame>& frame); // null: none
+    void ghostsShown(const std::vector<ripstop::GhostFrame>& ghosts); // empty: none
 
 private:
     struct Wish
     {
         std::shared_ptr<Recording> recording;
         std::size_t frame = 0;
-        std::shared_ptr<Recording> ghost; // at the same time
+        std::vector<Ghost> ghosts; // at the same time
     };
     struct Shown
     {
         std::shared_ptr<const Frame> frame;
-        std::shared_ptr<const Frame> ghost;
+        std::vector<GhostFrame> ghosts;
         Message failure;
     };
     struct Start
@@ -155,7 +175,7 @@ private:
     Player& m_player;
     List m_list;
     std::shared_ptr<Recording> m_current;
-    std::shared_ptr<Recording> m_ghost;
+    std::vector<Ghost> m_ghosts;
     std::shared_ptr<const Certificate> m_certificate; // of the design, or null
     std::size_t m_frame = 0;
     std::size_t m_seen = 0;   // frames when grew() was last emitted

@@ -1,8 +1,8 @@
-// Another run at the same time, or the design, as a pale shape that one sees through.
+// Other runs at the same time, or the design, as pale shapes that one sees through.
 //
 // It has a layout of its own and its own copy of the points, unlike the other layers, which share
 // those of the picture. Links and panels that are hidden in the picture are hidden in it, found by
-// their ids. Its frame comes by show() and not with the picture.
+// their ids. Its frames come by show() and not with the picture.
 #pragma once
 
 #include "layers/layer.h"
@@ -11,7 +11,11 @@
 #include <vtkActor.h>
 #include <vtkPoints.h>
 
+#include <QColor>
+
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace ripstop {
 
@@ -21,7 +25,12 @@ public:
     enum class Of { Run, Design };
     explicit GhostLayer(Of of);
 
-    void show(std::shared_ptr<const Frame> frame); // null shows nothing
+    struct Ghost
+    {
+        std::shared_ptr<const Frame> frame; // null shows nothing
+        std::optional<QRgb> color = {};     // none: that of the layer
+    };
+    void show(std::vector<Ghost> ghosts);
 
     void addTo(vtkRenderer& renderer) override;
     void setShown(bool shown) override;
@@ -32,9 +41,12 @@ private:
     void build();
 
     Of m_of;
-    std::shared_ptr<const Frame> m_frame; // whose network is drawn
-    std::vector<std::uint32_t> m_hidden;  // links and panels, ascending
+    std::vector<Ghost> m_ghosts;         // whose networks are drawn
+    std::vector<std::uint32_t> m_hidden; // links and panels, ascending
     vtkNew<vtkPoints> m_points;
+    QColor m_color; // of those without one
+    ColorArray m_panelColors;
+    ColorArray m_linkColors;
     vtkNew<vtkPolyData> m_panels;
     vtkNew<vtkPolyData> m_links;
     vtkNew<vtkActor> m_panelActor;

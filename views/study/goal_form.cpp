@@ -2,13 +2,12 @@
 #include "study/goal_form.h"
 
 #include "icons/icon.h"
-#include "study/shown_value.h"
+#include "study/narrow_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -18,16 +17,7 @@
 namespace ripstop {
 namespace {
 
-QComboBox* narrowChoice(const QString& name, const QStringList& texts)
-{
-    auto* box = new QComboBox;
-    box->setAccessibleName(name);
-    box->setToolTip(name);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(5);
-    box->addItems(texts);
-    return box;
-}
+constexpr int letters = 5; // of choices
 
 QStringList goalTexts()
 {
@@ -47,14 +37,7 @@ QStringList reductionTexts() // in the order of the enumeration
             GoalForm::tr("time of the largest")};
 }
 
-QString limitText(const Constraint& constraint) // "line tension max ≤ 60"
-{
-    const QString sign =
-        constraint.kind == Constraint::Kind::AtMost ? QStringLiteral("≤") : QStringLiteral("≥");
-    return QStringLiteral("%1 %2 %3")
-        .arg(QString::fromStdString(headingOf(constraint.measure, {})), sign,
-             fourDigits(constraint.limit));
-}
+QStringList limitTexts() { return {GoalForm::tr("At most"), GoalForm::tr("At least")}; }
 
 } // namespace
 
@@ -63,7 +46,6 @@ GoalForm::GoalForm(QWidget* parent)
     , m_rows(new QVBoxLayout)
     , m_noTear(new QCheckBox(tr("Nothing may tear")))
     , m_accurate(new QCheckBox(tr("The accuracy is held")))
-    , m_limits(new QLabel)
 {
     m_rows->setSpacing(2);
     auto* add = new QPushButton(tr("&Want something…"));
@@ -72,21 +54,25 @@ GoalForm::GoalForm(QWidget* parent)
     connect(add, &QPushButton::clicked, this, [this] {
         Objective objective;
         objective.goal = Goal::Maximise;
-        objective.measure.probe =
-            m_probes.isEmpty() ? std::string() : m_probes.front().toStdString();
+        objective.measure = firstMeasure();
         objective.measure.reduction = Reduction::Mean;
         this->add(objective);
     });
+    auto* limit = new QPushButton(tr("&Limit something…"));
+    limit->setToolTip(
+        tr("A measure that may be at most or has to be at least some value in a good design."));
+    connect(limit, &QPushButton::clicked, this, [this] {
+        Constraint constraint{Constraint::Kind::AtMost, firstMeasure(), 0.0, {}};
+        constraint.measure.reduction = Reduction::Largest;
+        this->add(constraint);
+    });
     auto* last = new QHBoxLayout;
     last->addWidget(add);
+    last->addWidget(limit);
     last->addStretch();
     auto* outcomes = new QVBoxLayout;
     outcomes->addWidget(m_noTear);
     outcomes->addWidget(m_accurate);
-    outcomes->addWidget(m_limits);
-    m_limits->setTextFormat(Qt::PlainText);
-    m_limits->setWordWrap(true);
-    m_limits->setToolTip(tr("Limits of measures, as the file of the study has them."));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -100,23 +86,25 @@ GoalForm::GoalForm(QWidget* parent)
         });
 }
 
+Measure GoalForm::firstMeasure() const
+{
+    Measure measure;
+    measure.probe = m_probes.isEmpty() ? std::string() : m_probes.front().toStdString();
+    return measure;
+}
+
 void GoalForm::show(const Study& study, const QStringList& probes)
 {
     m_probes = probes;
     m_objectives = study.objectives;
-    m_measured.clear();
+    m_limits.clear();
     const auto isWanted = [&](WantedOutcome outcome) {
         return std::ranges::any_of(study.constraints, [&](const Constraint& one) {
             return one.kind == Constraint::Kind::Outcome && one.outcome == outcome;
         });
     };
-    std::ranges::copy_if(study.constraints, std::back_inserter(m_measured),
+    std::ranges::copy_if(study.constraints, std::back_inserter(m_limits),
                          [](const auto& one) { return one.kind != Constraint::Kind::Outcome; });
-    QStringList limits;
-    for (const Constraint& one : m_measured)
-        limits << limitText(one);
-    m_limits->setText(limits.join(QChar('\n')));
-    m_limits->setVisible(!limits.isEmpty());
     m_isShowing = true;
     m_noTear->setChecked(isWanted(WantedOutcome::NoTear));
     m_accurate->setChecked(isWanted(WantedOutcome::Accurate));
@@ -127,7 +115,7 @@ void GoalForm::show(const Study& study, const QStringList& probes)
 void GoalForm::giveTo(Study& study) const
 {
     study.objectives = m_objectives;
-    study.constraints = m_measured;
+    study.constraints = m_limits;
     const auto demand = [&](const QCheckBox& box, WantedOutcome outcome) {
         if (box.isChecked())
             study.constraints.push_back({Constraint::Kind::Outcome, {}, 0.0, outcome});
@@ -143,6 +131,13 @@ void GoalForm::add(Objective objective)
     emit edited();
 }
 
+void GoalForm::add(Constraint limit)
+{
+    m_limits.push_back(std::move(limit));
+    rebuild();
+    emit edited();
+}
+
 void GoalForm::rebuild()
 {
     for (QWidget* row : m_made) {
@@ -151,39 +146,38 @@ void GoalForm::rebuild()
     }
     m_made.clear();
     for (std::size_t place = 0; place < m_objectives.size(); ++place)
-        addRow(place);
+        addObjective(place);
+    for (std::size_t place = 0; place < m_limits.size(); ++place)
+        addLimit(place);
 }
 
-void GoalForm::addRow(std::size_t place)
+GoalForm::Row GoalForm::makeRow(QComboBox* kind, const QString& numberName, double number,
+                                const Measure& measure, const QString& removal)
 {
-    const Objective& shown = m_objectives[place];
-    auto* goal = narrowChoice(tr("What is wanted"), goalTexts());
-    goal->setCurrentIndex(int(shown.goal));
-    auto* number = new QDoubleSpinBox;
-    number->setRange(-1e9, 1e9);
-    number->setDecimals(4);
-    number->setValue(shown.target);
-    number->setAccessibleName(tr("The value that is wanted"));
-    number->setVisible(shown.goal == Goal::Target);
+    auto* value = new QDoubleSpinBox;
+    value->setRange(-1e9, 1e9);
+    value->setDecimals(4);
+    value->setValue(number);
+    value->setAccessibleName(numberName);
     QStringList probes = m_probes;
-    const QString own = QString::fromStdString(shown.measure.probe);
+    const QString own = QString::fromStdString(measure.probe);
     if (!probes.contains(own))
         probes.prepend(own);
-    auto* probe = narrowChoice(tr("Probe"), probes);
+    auto* probe = narrowBox(tr("Probe"), probes, letters);
     probe->setCurrentIndex(int(probes.indexOf(own)));
-    auto* reduction = narrowChoice(tr("What of its values"), reductionTexts());
-    reduction->setCurrentIndex(int(shown.measure.reduction));
+    auto* reduction = narrowBox(tr("What of its values"), reductionTexts(), letters);
+    reduction->setCurrentIndex(int(measure.reduction));
     auto* remove = new QToolButton;
     remove->setIcon(icon(QStringLiteral("close")));
-    remove->setToolTip(tr("Want this no more"));
-    remove->setAccessibleName(remove->toolTip());
+    remove->setToolTip(removal);
+    remove->setAccessibleName(removal);
     remove->setAutoRaise(true);
     auto* row = new QWidget;
     auto* layout = new QGridLayout(row); // two lines, as the form is narrow
     layout->setContentsMargins(0, 0, 0, 4);
     layout->setSpacing(4);
-    layout->addWidget(goal, 0, 0);
-    layout->addWidget(number, 0, 1);
+    layout->addWidget(kind, 0, 0);
+    layout->addWidget(value, 0, 1);
     layout->addWidget(remove, 0, 2);
     layout->addWidget(probe, 1, 0);
     layout->addWidget(reduction, 1, 1, 1, 2);
@@ -191,23 +185,65 @@ void GoalForm::addRow(std::size_t place)
         layout->setColumnStretch(column, 1);
     m_rows->addWidget(row);
     m_made.push_back(row);
-    const auto take = [this, place, goal, number, probe, reduction] {
-        Objective& objective = m_objectives[place];
-        objective.goal = Goal(goal->currentIndex());
-        objective.target = number->value();
-        objective.measure.probe = probe->currentText().toStdString();
-        objective.measure.reduction = Reduction(reduction->currentIndex());
-        number->setVisible(objective.goal == Goal::Target);
+    return {kind, value, probe, reduction, remove};
+}
+
+void GoalForm::connectRow(const Row& row, const std::function<void()>& take,
+                          const std::function<void()>& remove)
+{
+    const auto taken = [this, take] {
+        take();
         emit edited();
     };
-    for (QComboBox* box : {goal, probe, reduction})
-        connect(box, &QComboBox::activated, this, take);
-    connect(number, &QDoubleSpinBox::valueChanged, this, take);
-    connect(remove, &QToolButton::clicked, this, [this, place] {
-        m_objectives.erase(m_objectives.begin() + std::ptrdiff_t(place));
+    for (QComboBox* box : {row.kind, row.probe, row.reduction})
+        connect(box, &QComboBox::activated, this, taken);
+    connect(row.number, &QDoubleSpinBox::valueChanged, this, taken);
+    connect(row.remove, &QToolButton::clicked, this, [this, remove] {
+        remove();
         rebuild();
         emit edited();
     });
+}
+
+void GoalForm::addObjective(std::size_t place)
+{
+    const Objective& shown = m_objectives[place];
+    auto* goal = narrowBox(tr("What is wanted"), goalTexts(), letters);
+    goal->setCurrentIndex(int(shown.goal));
+    const Row row = makeRow(goal, tr("The value that is wanted"), shown.target, shown.measure,
+                            tr("Want this no more"));
+    row.number->setVisible(shown.goal == Goal::Target);
+    connectRow(
+        row,
+        [this, place, row] {
+            Objective& objective = m_objectives[place];
+            objective.goal = Goal(row.kind->currentIndex());
+            objective.target = row.number->value();
+            objective.measure.probe = row.probe->currentText().toStdString();
+            objective.measure.reduction = Reduction(row.reduction->currentIndex());
+            row.number->setVisible(objective.goal == Goal::Target);
+        },
+        [this, place] { m_objectives.erase(m_objectives.begin() + std::ptrdiff_t(place)); });
+}
+
+void GoalForm::addLimit(std::size_t place)
+{
+    const Constraint& shown = m_limits[place];
+    auto* kind = narrowBox(tr("Which side is limited"), limitTexts(), letters);
+    kind->setCurrentIndex(shown.kind == Constraint::Kind::AtMost ? 0 : 1);
+    const Row row =
+        makeRow(kind, tr("The limit"), shown.limit, shown.measure, tr("Limit this no more"));
+    connectRow(
+        row,
+        [this, place, row] {
+            Constraint& limit = m_limits[place];
+            limit.kind = row.kind->currentIndex() == 0 ? Constraint::Kind::AtMost
+                                                       : Constraint::Kind::AtLeast;
+            limit.limit = row.number->value();
+            limit.measure.probe = row.probe->currentText().toStdString();
+            limit.measure.reduction = Reduction(row.reduction->currentIndex());
+        },
+        [this, place] { m_limits.erase(m_limits.begin() + std::ptrdiff_t(place)); });
 }
 
 } // namespace ripstop

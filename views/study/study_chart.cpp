@@ -8,11 +8,14 @@
 #include "study/shown_value.h"
 
 #include <QEvent>
+#include <QMouseEvent>
+#include <QRubberBand>
 #include <qcustomplot.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace ripstop {
 namespace {
@@ -21,6 +24,8 @@ constexpr int shadeCount = 24;
 constexpr int mostContours = 8;
 constexpr double gap = std::numeric_limits<double>::quiet_NaN(); // between two segments
 constexpr double nearPoint = 12.0;                               // px
+constexpr std::size_t manyPoints = 5000; // that are not all drawn where they cover each other
+constexpr double samePlace = 4.0;        // px, within which they do
 
 // Even steps in lightness from dark blue to yellow, for the colour-blind too (the colours of
 // viridis, by Smith and van der Walt 2015).
@@ -71,6 +76,7 @@ QSharedPointer<QCPAxisTicker> gridTicker(const std::vector<std::string>& labels,
 
 StudyChart::StudyChart(QWidget* parent)
     : QWidget(parent)
+    , m_band(new QRubberBand(QRubberBand::Rectangle, this))
     , m_plot(makePlot(*this))
     , m_cells(new QCPColorMap(m_plot->xAxis, m_plot->yAxis))
     , m_scale(new QCPColorScale(m_plot))
@@ -100,18 +106,28 @@ StudyChart::StudyChart(QWidget* parent)
     m_doubts->setLineStyle(QCPGraph::lsNone);
     m_doubts->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(QColor(Qt::black), 1.0),
                                               QBrush(QColor(Qt::white)), 5));
+    m_outlines = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
+    m_rings = m_plot->addGraph();
+    m_rings->setLineStyle(QCPGraph::lsNone);
     m_mark = new QCPItemRect(m_plot);
     m_mark->setVisible(false);
     for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
         axis->grid()->setVisible(false);
 
+    m_plot->setInteractions(QCP::iRangeZoom); // a drag is a rubber band
+    connect(m_plot, &QCustomPlot::mouseDoubleClick, this, [this] {
+        drawAxes();
+        drawMarks();
+    });
     setMinimumSize(240, 150);
     connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
         if (event->button() == Qt::LeftButton)
-            if (const auto place = at(event->pos()))
-                emit chosen(m_map.points[*place].number);
+            pick(*event);
     });
+    connect(m_plot, &QCustomPlot::mouseRelease, this,
+            [this](const QMouseEvent* event) { pickBand(*event); });
     connect(m_plot, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) {
+        pull(*event);
         const auto place = at(event->pos());
         emit pointedAt(place ? qlonglong(m_map.points[*place].number) : -1);
     });
@@ -131,6 +147,9 @@ void StudyChart::restyle()
     m_torn->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(ink, 1.6), Qt::NoBrush, 11));
     m_mark->setPen(QPen(QColor(230, 60, 50), 2.5));
+    const QPen selected(QColor(230, 60, 50), 1.6);
+    m_outlines->setPen(selected);
+    m_rings->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, selected, Qt::NoBrush, 12));
     QCPColorGradient gradient = colours();
     for (int i = 0; i < shadeCount; ++i)
         m_shades[std::size_t(i)]->setScatterStyle(
@@ -146,7 +165,7 @@ void StudyChart::show(const StudyMap& map, const QString& reading)
     drawCells();
     drawPoints();
     drawLines();
-    mark(m_marked);
+    drawMarks();
 }
 
 double StudyChart::heightOf(const StudyMap::Point& point) const
@@ -216,6 +235,8 @@ void StudyChart::drawPoints()
     const bool areCells = m_cells->visible();
     const QCPRange values = rangeOf(valueSpan(m_map));
     std::vector<QVector<double>> x(shadeCount), y(shadeCount);
+    std::set<std::array<int, 3>> drawn; // shade and place of very many points, each once
+    const bool areMany = m_map.points.size() > manyPoints;
     QVector<double> tornX, tornY, crossX, crossY, doubtX, doubtY;
     for (const StudyMap::Point& point : m_map.points) {
         const double height = heightOf(point);
@@ -231,6 +252,11 @@ void StudyChart::drawPoints()
             continue;
         const double share = (point.value - values.lower) / values.size();
         const auto shade = std::size_t(std::clamp(int(share * shadeCount), 0, shadeCount - 1));
+        if (areMany) {
+            const QPointF there = placeOf(point) / samePlace;
+            if (!drawn.insert({int(shade), int(there.x()), int(there.y())}).second)
+                continue;
+        }
         x[shade] << point.x;
         y[shade] << height;
         if (point.outcome == FlightOutcome::Torn) {
@@ -265,23 +291,107 @@ void StudyChart::drawLines()
     put(*m_frontier, hasHeights() ? std::vector<MapSegment>() : frontier(m_map));
 }
 
-void StudyChart::mark(std::optional<std::size_t> point)
+// --- what is picked -----------------------------------------------------------------------------
+
+void StudyChart::pick(const QMouseEvent& event)
 {
-    m_marked = point;
+    m_pressed = event.pos();
+    const auto place = at(event.pos());
+    if (!place)
+        return;
+    const Picking how = pickingOf(event.modifiers());
+    if (how == Picking::Add && m_map.isGrid)
+        emit picked(spanTo(*place), how);
+    else
+        emit picked({m_map.points[*place].number}, how);
+}
+
+// The cells of the rectangle between the chosen one and this one.
+std::vector<std::size_t> StudyChart::spanTo(std::size_t place) const
+{
+    const StudyMap::Point& to = m_map.points[place];
     const auto found =
-        std::ranges::find_if(m_map.points, [&](const auto& one) { return one.number == point; });
-    m_mark->setVisible(point && found != m_map.points.end());
-    if (m_mark->visible()) {
-        if (m_cells->visible()) {
-            m_mark->topLeft->setType(QCPItemPosition::ptPlotCoords);
-            m_mark->bottomRight->setType(QCPItemPosition::ptPlotCoords);
-            m_mark->topLeft->setCoords(found->x - 0.5, found->y + 0.5);
-            m_mark->bottomRight->setCoords(found->x + 0.5, found->y - 0.5);
-        } else {
-            const QPointF place = placeOf(*point);
-            m_mark->topLeft->setPixelPosition(place - QPointF(7, 7));
-            m_mark->bottomRight->setPixelPosition(place + QPointF(7, 7));
+        std::ranges::find_if(m_map.points, [&](const auto& one) { return one.number == m_marked; });
+    const StudyMap::Point& from = m_marked && found != m_map.points.end() ? *found : to;
+    const auto [left, right] = std::minmax(from.x, to.x);
+    const auto [below, above] = std::minmax(from.y, to.y);
+    std::vector<std::size_t> numbers;
+    for (const StudyMap::Point& one : m_map.points)
+        if (one.x >= left && one.x <= right && one.y >= below && one.y <= above)
+            numbers.push_back(one.number);
+    return numbers;
+}
+
+void StudyChart::pull(const QMouseEvent& event)
+{
+    constexpr int shortest = 6; // px, that is no click with an unsteady hand
+    const QPoint way = event.pos() - m_pressed;
+    if (!event.buttons().testFlag(Qt::LeftButton)
+        || (!m_band->isVisible() && way.manhattanLength() < shortest))
+        return;
+    m_band->setGeometry(QRect(m_pressed, event.pos()).normalized());
+    m_band->show();
+    m_band->raise();
+}
+
+void StudyChart::pickBand(const QMouseEvent& event)
+{
+    if (!m_band->isVisible())
+        return;
+    m_band->hide();
+    const QRectF band = QRect(m_pressed, event.pos()).normalized();
+    std::vector<std::size_t> numbers;
+    for (const StudyMap::Point& one : m_map.points)
+        if (band.contains(placeOf(one)))
+            numbers.push_back(one.number);
+    const bool adds = pickingOf(event.modifiers()) != Picking::Replace;
+    emit picked(numbers, adds ? Picking::Add : Picking::Replace);
+}
+
+void StudyChart::mark(const std::vector<std::size_t>& selected, std::optional<std::size_t> chosen)
+{
+    m_selected = selected;
+    m_marked = chosen;
+    drawMarks();
+}
+
+void StudyChart::drawMarks()
+{
+    std::vector<std::size_t> selected = m_selected;
+    std::ranges::sort(selected);
+    const bool areCells = m_cells->visible();
+    QVector<double> x, y, ringX, ringY;
+    const StudyMap::Point* chosen = nullptr;
+    for (const StudyMap::Point& one : m_map.points) {
+        if (one.number == m_marked)
+            chosen = &one;
+        if (selected.size() < 2 || !std::ranges::binary_search(selected, one.number))
+            continue;
+        if (areCells) {
+            for (const auto& [right, up] :
+                 {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}}) {
+                x << one.x + right;
+                y << one.y + up;
+            }
+            x << gap;
+            y << gap;
+        } else if (std::isfinite(heightOf(one))) {
+            ringX << one.x;
+            ringY << heightOf(one);
         }
+    }
+    m_outlines->setData(x, y);
+    m_rings->setData(ringX, ringY);
+    m_mark->setVisible(chosen != nullptr);
+    if (chosen && areCells) {
+        m_mark->topLeft->setType(QCPItemPosition::ptPlotCoords);
+        m_mark->bottomRight->setType(QCPItemPosition::ptPlotCoords);
+        m_mark->topLeft->setCoords(chosen->x - 0.5, chosen->y + 0.5);
+        m_mark->bottomRight->setCoords(chosen->x + 0.5, chosen->y - 0.5);
+    } else if (chosen) {
+        const QPointF place = placeOf(*chosen);
+        m_mark->topLeft->setPixelPosition(place - QPointF(7, 7));
+        m_mark->bottomRight->setPixelPosition(place + QPointF(7, 7));
     }
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -339,7 +449,7 @@ void StudyChart::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     drawAxes();
-    mark(m_marked); // draws it again
+    drawMarks(); // draws it again
 }
 
 } // namespace ripstop

@@ -6,6 +6,7 @@
 #include "inspector/value_edit.h"
 #include "scene/typed_number.h"
 #include "study/goal_form.h"
+#include "study/narrow_box.h"
 #include "study/polish.h"
 #include "study/variable_row.h"
 
@@ -53,6 +54,9 @@ StudyForm::StudyForm(QWidget* parent)
     , m_goals(new GoalForm)
     , m_seconds(new ValueEdit(judgeSeconds))
     , m_untilTear(new QCheckBox(tr("or until something tears")))
+    , m_keep(narrowBox(
+          tr("Which flights are kept with all of their frames"),
+          {tr("None is kept"), tr("Of those that tore or ended early"), tr("All are kept")}, 12))
 {
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
@@ -102,6 +106,7 @@ StudyForm::StudyForm(QWidget* parent)
     form->addRow(QString(), m_last);
     form->addRow(tr("Each flight"), m_seconds);
     form->addRow(QString(), m_untilTear);
+    form->addRow(tr("Recordings"), m_keep);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 4);
     layout->setSpacing(4);
@@ -117,6 +122,8 @@ StudyForm::StudyForm(QWidget* parent)
     connect(m_seconds, &ValueEdit::committed, this, [this](const QString& typed) {
         change([&] { m_study.seconds = typedValue(typed.toStdString(), "s").number->number; });
     });
+    connect(m_keep, &QComboBox::activated, this,
+            [this](int keep) { change([&] { m_study.keep = KeptRuns(keep); }); });
     connect(m_untilTear, &QCheckBox::toggled, this,
             [this](bool on) { change([&] { m_study.untilTear = on; }); });
 }
@@ -150,6 +157,7 @@ void StudyForm::setStudy(Study study, UnitOf unitOf, const QStringList& probes)
     m_isShowing = true;
     m_seconds->show(compactNumber(m_study.seconds));
     m_untilTear->setChecked(m_study.untilTear);
+    m_keep->setCurrentIndex(int(m_study.keep));
     m_goals->show(m_study, probes);
     showPlan();
     m_isShowing = false;
@@ -181,7 +189,6 @@ void StudyForm::showPlan()
         one->setVisible(isOptimised);
     // a swarm polishes, a front has no single best place to begin from
     m_polish->setEnabled(Polish::isThere() && m_study.objectives.size() < 2);
-    m_goals->setVisible(isOptimised || !m_study.objectives.empty());
 }
 
 void StudyForm::takePlan()

@@ -69,6 +69,7 @@ private:
     GoalForm* m_goals;
     ValueEdit* m_seconds;
     QCheckBox* m_untilTear;
+    QComboBox* m_keep;        // in the order of KeptRuns
     bool m_isShowing = false; // values come from the study and not from a person
 };
 

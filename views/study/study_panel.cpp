@@ -7,6 +7,7 @@
 #include "document/recordings.h"
 #include "document/words.h"
 #include "io/whole_file.h"
+#include "study/flight_ghosts.h"
 #include "study/point_scene.h"
 #include "study/probe_names.h"
 #include "study/study_form.h"
@@ -95,6 +96,8 @@ StudyPanel::StudyPanel(Document& document, Recordings& recordings, std::function
         m_runner->watch(point);
         showState();
     });
+    connect(m_view, &StudyView::compareWanted, this, &StudyPanel::compare);
+    connect(m_view, &StudyView::ghostsWanted, this, &StudyPanel::showGhosts);
     connect(m_view, &StudyView::applyWanted, this, &StudyPanel::applyToDesign);
     connect(m_view, &StudyView::tableWanted, this, &StudyPanel::saveTable);
     connect(m_view, &StudyView::said, this, &StudyPanel::said);
@@ -108,6 +111,8 @@ StudyPanel::StudyPanel(Document& document, Recordings& recordings, std::function
 void StudyPanel::hearRunner()
 {
     connect(m_runner.get(), &StudyRunner::opened, this, &StudyPanel::showOpened);
+    connect(m_runner.get(), &StudyRunner::recorded, this, &StudyPanel::showState);
+    connect(m_runner.get(), &StudyRunner::compared, this, &StudyPanel::showCompared);
     connect(m_runner.get(), &StudyRunner::grew, this, [this] {
         if (isVisible())
             m_view->refresh();
@@ -387,6 +392,13 @@ void StudyPanel::showState()
                          : isOptimised ? Optimiser::most(m_runner->study()->study.plan)
                                        : m_runner->flights().size());
     m_progress->setVisible(isKnown || task != Task::None);
+    if (task == Task::Comparing) {
+        m_progress->setMaximum(std::max(1, int(m_runner->planned())));
+        m_progress->setValue(int(m_runner->done()));
+        m_progress->setFormat(
+            tr("%1 of %2 flown again").arg(m_runner->done()).arg(m_runner->planned()));
+        return m_state->setText(tr("Flying them again…"));
+    }
     m_progress->setMaximum(task == Task::Opening || task == Task::Watching ? 0 : std::max(1, all));
     m_progress->setValue(int(tally.flown));
     m_progress->setFormat(isSearch      ? tr("%1 flown along the tear line").arg(tally.flown)
@@ -430,41 +442,70 @@ void StudyPanel::showEvent(QShowEvent* event)
 
 // --- what is done with a flight -----------------------------------------------------------------
 
-void StudyPanel::watched(const std::shared_ptr<Recording>& recording, std::size_t point,
-                         bool isSame)
+void StudyPanel::watched(std::size_t point)
 {
+    const auto kept = m_runner->kept(point);
+    const std::shared_ptr<Recording>& recording = kept->recorded.recording;
     const QString values = StudyView::valuesOf(*m_runner->study(), point);
     recording->setName(values.toStdString());
     recording->setOrigin(m_title->text().toStdString());
-    m_recordings.add(recording);
-    const FlightResult* flight = m_runner->flights()[point];
-    m_recordings.seekTime(flight && flight->torn > 0
-                              ? flight->firstTear
-                              : recording->timeOf(recording->frameCount() - 1));
-    emit said(isSame ? tr("%1: flown again, the same to the bit. The timeline has it.").arg(values)
-                     : tr("%1: flown again, and it came to another state than the study has: the "
-                          "study is of another version or machine.")
-                           .arg(values));
+    if (std::ranges::find(m_recordings.list(), recording) == m_recordings.list().end())
+        m_recordings.add(recording);
+    else
+        m_recordings.setCurrent(recording);
+    const FlightResult& flight = kept->recorded.flight;
+    m_recordings.seekTime(flight.torn > 0 ? flight.firstTear
+                                          : recording->timeOf(recording->frameCount() - 1));
+    emit said(kept->isSame
+                  ? tr("%1: flown again, the same to the bit. The timeline has it.").arg(values)
+                  : tr("%1: flown again, and it came to another state than the study has: the "
+                       "study is of another version or machine.")
+                        .arg(values));
+}
+
+void StudyPanel::compare(const std::vector<std::size_t>& points)
+{
+    const std::size_t count = std::min(points.size(), StudyView::mostCompared);
+    m_runner->compare({points.end() - std::ptrdiff_t(count), points.end()}, jobs());
+    showState();
+}
+
+void StudyPanel::showCompared(const std::vector<std::size_t>& points)
+{
+    std::vector<FlightCurve> curves;
+    std::size_t other = 0; // that came to another state than their rows have
+    for (const std::size_t point : points)
+        if (const auto kept = m_runner->kept(point)) {
+            curves.push_back(
+                {point, StudyView::valuesOf(*m_runner->study(), point), {kept, &kept->recorded}});
+            other += !kept->isSame;
+        }
+    if (curves.empty())
+        return;
+    emit said(other == 0 ? tr("%1 flights again, all the same to the bit.").arg(curves.size())
+                         : tr("%1 of %2 flights came to another state than the study has: the "
+                              "study is of another version or machine.")
+                               .arg(other)
+                               .arg(curves.size()));
+    m_view->showCurves(std::move(curves));
+    watched(m_view->chosen().value_or(points.back()));
+    showGhosts();
+}
+
+void StudyPanel::showGhosts()
+{
+    m_recordings.setGhosts(ghostsOf(m_view->curves(), m_recordings.current()));
 }
 
 void StudyPanel::applyToDesign(std::size_t point)
 {
-    std::vector<Edit> edits;
-    for (const std::string& one : m_runner->study()->assignments(point)) {
-        if (setsControls(one)) // nothing of the design
-            continue;
-        const auto edit = propertyAssignment(m_document.scene(), one);
-        if (!edit) {
-            m_state->setText(tr("The open design cannot take it. %1: %2")
-                                 .arg(QString::fromStdString(one), translated(edit.message())));
-            return;
-        }
-        edits.push_back(*edit);
+    auto edit = editWith(m_document.scene(), m_runner->study()->assignments(point),
+                         Message("Values of a study"));
+    if (!edit) {
+        m_state->setText(tr("The open design cannot take it. %1").arg(translated(edit.message())));
+        return;
     }
-    Edit all{Message("Values of a study"), {}};
-    for (Edit& edit : edits)
-        std::ranges::move(edit.changes, std::back_inserter(all.changes));
-    m_document.push(std::move(all));
+    m_document.push(std::move(*edit));
     emit said(tr("The design has the values of the study now: %1")
                   .arg(StudyView::valuesOf(*m_runner->study(), point)));
 }

@@ -77,7 +77,10 @@ private:
     void showOpened();
     void showState();
     void showFailure(const Message& why);
-    void watched(const std::shared_ptr<Recording>& recording, std::size_t point, bool isSame);
+    void watched(std::size_t point);
+    void compare(const std::vector<std::size_t>& points);
+    void showCompared(const std::vector<std::size_t>& points);
+    void showGhosts();
     void applyToDesign(std::size_t point);
     void saveTable();
     QString unitOf(const StudyVariable& variable) const;

@@ -3,8 +3,11 @@
 // joined before another starts, and what it has posted is dropped by its number.
 #include "study/study_runner.h"
 
+#include "study/many.h"
 #include "study/study_search.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -12,6 +15,8 @@ namespace ripstop {
 namespace {
 
 constexpr int pause = 100; // ms, between two looks at what has been flown
+constexpr std::size_t mostKept = 24;
+constexpr std::size_t keptMemory = std::size_t(64) << 20; // bytes, of each of them
 
 } // namespace
 
@@ -42,6 +47,7 @@ void StudyRunner::close()
     m_study = nullptr;
     m_flights.clear();
     m_rows.clear();
+    m_kept.clear();
 }
 
 template <typename Work>
@@ -129,8 +135,10 @@ void StudyRunner::collect()
     {
         const std::lock_guard lock(m_mutex);
         news.swap(m_news);
-        m_planned = m_newPlan;
+        if (m_task == Task::Flying)
+            m_planned = m_newPlan;
     }
+    collectRecordings();
     if (news.empty())
         return;
     for (Flown& one : news) {
@@ -146,27 +154,109 @@ void StudyRunner::collect()
     emit grew();
 }
 
+void StudyRunner::collectRecordings()
+{
+    std::vector<FlownAgain> news;
+    {
+        const std::lock_guard lock(m_mutex);
+        news.swap(m_newKept);
+    }
+    if (news.empty())
+        return;
+    m_done += news.size();
+    std::ranges::move(news, std::back_inserter(m_kept));
+    if (m_kept.size() > mostKept)
+        m_kept.erase(m_kept.begin(), m_kept.end() - std::ptrdiff_t(mostKept));
+    emit recorded();
+}
+
+std::shared_ptr<const StudyRunner::Kept> StudyRunner::kept(std::size_t point) const
+{
+    const auto found = std::ranges::find(m_kept, m_study->key(point), &FlownAgain::key);
+    return found == m_kept.end() ? nullptr : found->kept;
+}
+
+// In a thread of its own, or read where the study has kept it. Says why there is no recording.
+std::optional<Message> StudyRunner::flyAgain(const OpenedStudy& study, std::size_t point,
+                                             const std::optional<FlightResult>& row)
+{
+    auto flown = row ? readKeptRun(study, point, *row) : std::nullopt;
+    if (!flown)
+        flown = flyRecorded(
+            study, point, [this] { return m_stops.load(); }, keptMemory);
+    if (!flown)
+        return std::nullopt;
+    if (!flown->recording)
+        return Message("%1", flown->flight.whyEarly());
+    const auto kept = std::make_shared<Kept>();
+    kept->isSame = !row || row->hash == flown->flight.hash;
+    kept->recorded = std::move(*flown);
+    const std::lock_guard lock(m_mutex);
+    m_newKept.push_back({study.key(point), kept});
+    return std::nullopt;
+}
+
+std::optional<FlightResult> StudyRunner::rowOf(std::size_t point) const
+{
+    return m_flights[point] ? std::optional(*m_flights[point]) : std::nullopt;
+}
+
 void StudyRunner::watch(std::size_t point)
 {
     if (!m_study)
         return;
+    if (kept(point)) {
+        emit watched(point);
+        return;
+    }
     const auto study = std::make_shared<const OpenedStudy>(*m_study);
-    const std::string known = m_flights[point] ? m_flights[point]->hash : std::string();
-    begin(Task::Watching, [this, study, point, known]() -> std::function<void()> {
-        const auto flown = flyRecorded(*study, point, [this] { return m_stops.load(); });
-        if (!flown)
-            return [] {};
-        const std::shared_ptr<Recording> recording = flown->recording;
-        if (!recording)
-            return [this, why = flown->flight.whyEarly()] { emit failed(Message("%1", why)); };
-        const bool isSame = known.empty() || known == flown->flight.hash;
-        return [this, recording, point, isSame] { emit watched(recording, point, isSame); };
+    begin(Task::Watching, [this, study, point, row = rowOf(point)]() -> std::function<void()> {
+        if (const auto failure = flyAgain(*study, point, row))
+            return [this, why = *failure] { emit failed(why); };
+        return [this, point] {
+            if (kept(point))
+                emit watched(point);
+        };
     });
+}
+
+void StudyRunner::compare(const std::vector<std::size_t>& points, int jobs)
+{
+    if (!m_study)
+        return;
+    const auto study = std::make_shared<const OpenedStudy>(*m_study);
+    struct Wanted
+    {
+        std::size_t point;
+        std::optional<FlightResult> row;
+    };
+    std::vector<Wanted> wanted;
+    for (const std::size_t point : points)
+        if (!kept(point))
+            wanted.push_back({point, rowOf(point)});
+    const std::size_t count = wanted.size();
+    begin(Task::Comparing, [this, study, points, wanted, jobs]() -> std::function<void()> {
+        std::vector<std::optional<Message>> failures(wanted.size());
+        forEachOfMany(wanted.size(), jobs, [&](std::size_t i) {
+            failures[i] = flyAgain(*study, wanted[i].point, wanted[i].row);
+            return !m_stops;
+        });
+        return [this, points, failures] {
+            emit compared(points);
+            for (const auto& failure : failures)
+                if (failure)
+                    return emit failed(*failure);
+        };
+    });
+    m_planned = count;
+    m_done = 0;
+    m_clock.start();
+    m_tick.start();
 }
 
 double StudyRunner::secondsLeft() const
 {
-    if (m_task != Task::Flying || m_done == 0)
+    if ((m_task != Task::Flying && m_task != Task::Comparing) || m_done == 0)
         return std::numeric_limits<double>::quiet_NaN();
     const double each = 1e-3 * double(m_clock.elapsed()) / double(m_done);
     return each * double(m_planned - std::min(m_done, m_planned));

@@ -1,8 +1,8 @@
 // Opens and flies a study in the background while the window goes on.
 //
-// One thing at a time: opening, flying what is missing, or flying one point again with all of its
-// frames. A new call ends what is under way; rows that are in the ledger stay. Belongs to the
-// window's thread, as its signals do.
+// One thing at a time: opening, flying what is missing, or flying points again with all of their
+// frames, of which the last are kept. A new call ends what is under way; rows that are in the
+// ledger stay. Belongs to the window's thread, as its signals do.
 #pragma once
 
 #include "study/study_map.h"
@@ -30,18 +30,30 @@ public:
     explicit StudyRunner(QObject* parent = nullptr);
     ~StudyRunner() override;
 
-    enum class Task { None, Opening, Flying, Watching };
+    enum class Task { None, Opening, Flying, Watching, Comparing };
     Task task() const { return m_task; }
 
     void open(const std::filesystem::path& file); // then opened() or failed()
     void fly(int jobs);                           // what is missing of the open one
     void watch(std::size_t point);                // then watched() or failed()
-    void stop();                                  // and wait for what is under way to end
+    // Flies those again whose recordings are not kept; then compared().
+    void compare(const std::vector<std::size_t>& points, int jobs);
+    void stop(); // and wait for what is under way to end
     void close();
 
     const OpenedStudy* study() const { return m_study.get(); } // null: none is open
     const StudyFlights& flights() const { return m_flights; }  // of its points
     StudyTally tally() const { return tallyOf(m_flights); }
+
+    // A flight that was flown again.
+    struct Kept
+    {
+        RecordedFlight recorded;
+        bool isSame = true; // the last state has the hash that its row has
+    };
+    std::shared_ptr<const Kept> kept(std::size_t point) const; // null: it is not
+    std::size_t planned() const { return m_planned; }          // flights of the task, and
+    std::size_t done() const { return m_done; }                // how many of them are over
     double secondsLeft() const; // while flying, as far as can be told; else not a number
 
 signals:
@@ -49,9 +61,9 @@ signals:
     void grew();  // there are more flights
     void ended(); // of what was under way, whatever came of it
     void failed(const ripstop::Message& why);
-    // `isSame`: the last state has the hash that its row has.
-    void watched(const std::shared_ptr<ripstop::Recording>& recording, std::size_t point,
-                 bool isSame);
+    void watched(std::size_t point); // kept() has it
+    void recorded();                 // one more of those that are compared
+    void compared(const std::vector<std::size_t>& points);
 
 private:
     struct Flown
@@ -61,22 +73,34 @@ private:
         FlightResult flight;
     };
 
+    struct FlownAgain
+    {
+        std::string key;
+        std::shared_ptr<const Kept> kept;
+    };
+
     template <typename Work>
     void begin(Task task, Work work);
+    std::optional<Message> flyAgain(const OpenedStudy& study, std::size_t point,
+                                    const std::optional<FlightResult>& row);
+    std::optional<FlightResult> rowOf(std::size_t point) const;
     void collect();
+    void collectRecordings();
 
     std::shared_ptr<OpenedStudy> m_study; // the points of an optimisation become more
     LedgerRows m_rows;
     StudyFlights m_flights;
     Task m_task = Task::None;
-    int m_number = 0;          // of what was begun last
-    std::size_t m_planned = 0; // since the flying began, as far as it is known
-    std::size_t m_done = 0;    // of those
-    QElapsedTimer m_clock;     // since it began
-    QTimer m_tick;             // while flying
+    int m_number = 0;               // of what was begun last
+    std::size_t m_planned = 0;      // since the flying began, as far as it is known
+    std::size_t m_done = 0;         // of those
+    QElapsedTimer m_clock;          // since it began
+    QTimer m_tick;                  // while flying
+    std::vector<FlownAgain> m_kept; // the newest last
     std::atomic<bool> m_stops = false;
     std::mutex m_mutex;
     std::vector<Flown> m_news; // of the threads that fly
+    std::vector<FlownAgain> m_newKept;
     std::size_t m_newPlan = 0; // and how many they are to fly
     std::jthread m_thread;     // last: it ends before what it uses
 };

@@ -4,8 +4,13 @@
 
 #include "document/words.h"
 #include "icons/icon.h"
+#include "io/whole_file.h"
 #include "plots/chart_picture.h"
+#include "study/columns_view.h"
+#include "study/flight_curves.h"
 #include "study/goal_chart.h"
+#include "study/narrow_box.h"
+#include "study/percentile_chart.h"
 #include "study/shown_value.h"
 #include "study/study_chart.h"
 
@@ -17,6 +22,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -26,15 +32,7 @@
 namespace ripstop {
 namespace {
 
-QComboBox* narrowBox(const QString& name)
-{
-    auto* box = new QComboBox;
-    box->setAccessibleName(name);
-    box->setToolTip(name);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(4);
-    return box;
-}
+constexpr int whichRole = Qt::UserRole + 1; // of a page that has several pictures
 
 QString outcomeText(const FlightResult& flight)
 {
@@ -60,8 +58,13 @@ StudyView::StudyView(QWidget* parent)
     , m_charts(new QStackedWidget)
     , m_chart(new StudyChart)
     , m_goals(new GoalChart)
+    , m_bands(new PercentileChart)
+    , m_columns(new ColumnsView)
+    , m_sides(new QSplitter)
+    , m_curves(new FlightCurves)
     , m_told(new QLabel)
     , m_watch(new QPushButton(tr("&Watch")))
+    , m_compare(new QPushButton)
     , m_apply(new QPushButton(tr("&Apply")))
     , m_save(new QToolButton)
 {
@@ -70,18 +73,34 @@ StudyView::StudyView(QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(axesLine());
     layout->addLayout(m_slices);
-    m_charts->addWidget(m_chart);
-    m_charts->addWidget(m_goals);
-    layout->addWidget(m_charts, 1);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_chart, m_bands, m_columns, m_goals})
+        m_charts->addWidget(page); // in the order of Page
+    m_sides->setChildrenCollapsible(false);
+    m_sides->addWidget(m_charts);
+    m_sides->addWidget(m_curves);
+    m_sides->setStretchFactor(0, 1);
+    m_sides->setStretchFactor(1, 1);
+    m_curves->hide();
+    layout->addWidget(m_sides, 1);
     layout->addWidget(flightLine());
-    connect(m_chart, &StudyChart::chosen, this, &StudyView::choose);
+    connect(m_chart, &StudyChart::picked, this, &StudyView::pick);
+    connect(m_bands, &PercentileChart::picked, this, &StudyView::pick);
+    connect(m_columns, &ColumnsView::picked, this, &StudyView::pick);
+    connect(m_columns, &ColumnsView::columnsChosen, this, &StudyView::refresh);
     connect(m_goals, &GoalChart::chosen, this, &StudyView::choose);
+    connect(m_curves, &FlightCurves::chosen, this, &StudyView::chooseOfSelected);
+    connect(m_curves, &FlightCurves::ghostsWanted, this, &StudyView::ghostsWanted);
+    connect(m_curves, &FlightCurves::closed, this, [this] {
+        showCurves({});
+        emit ghostsWanted();
+    });
     connect(m_picture, &QComboBox::activated, this, [this] {
         showBoxes();
         refresh();
     });
     connect(m_chart, &StudyChart::pointedAt, this, &StudyView::describe);
     connect(m_watch, &QPushButton::clicked, this, [this] { emit watchWanted(*m_chosen); });
+    connect(m_compare, &QPushButton::clicked, this, [this] { emit compareWanted(m_selected); });
     connect(m_apply, &QPushButton::clicked, this, [this] { emit applyWanted(*m_chosen); });
     for (QComboBox* box : {m_reading, m_x, m_y})
         connect(box, &QComboBox::activated, this, [this, box] {
@@ -100,7 +119,14 @@ QWidget* StudyView::axesLine()
     m_save->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(m_save);
     menu->addAction(tr("&Table (CSV)…"), this, &StudyView::tableWanted);
-    menu->addAction(tr("&Picture (SVG, PDF, PNG)…"), this, &StudyView::savePictureAs);
+    auto* picture =
+        menu->addAction(tr("&Picture (SVG, PDF, PNG)…"), this, &StudyView::savePictureAs);
+    auto* curves =
+        menu->addAction(tr("&Curves (SVG, PDF, PNG, CSV)…"), this, &StudyView::saveCurvesAs);
+    connect(menu, &QMenu::aboutToShow, this, [this, picture, curves] {
+        picture->setEnabled(shownPlot() != nullptr);
+        curves->setEnabled(m_curves->isVisible());
+    });
     m_save->setMenu(menu);
     auto* line = new QWidget;
     auto* layout = new QHBoxLayout(line);
@@ -110,6 +136,7 @@ QWidget* StudyView::axesLine()
     layout->addWidget(m_over);
     layout->addWidget(m_x, 1);
     layout->addWidget(m_y, 1);
+    layout->addWidget(&m_columns->choice());
     layout->addWidget(m_save);
     return line;
 }
@@ -127,7 +154,12 @@ QWidget* StudyView::flightLine()
     auto* layout = new QHBoxLayout(line);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_told, 1);
+    m_compare->setToolTip(
+        tr("Fly the selected flights again in the background, and show the curves of a probe over "
+           "each other and the flights as ghosts in the view. Ctrl or Shift and click, or a rubber "
+           "band, selects several."));
     layout->addWidget(m_watch);
+    layout->addWidget(m_compare);
     layout->addWidget(m_apply);
     return line;
 }
@@ -147,8 +179,11 @@ void StudyView::setStudy(const OpenedStudy* study, const StudyFlights* flights)
 {
     m_study = study;
     m_flights = flights;
+    m_selected.clear();
     m_chosen = std::nullopt;
+    showCurves({});
     if (study) {
+        m_columns->setStudy(*study);
         fillChoices();
         fillSlices();
     }
@@ -193,34 +228,52 @@ void StudyView::fillPictures()
     const QString before = m_picture->currentText();
     const int count = m_picture->count();
     m_picture->clear();
-    m_picture->addItem(tr("Map"), -1);
+    const auto add = [this](const QString& words, Page page, int which = 0) {
+        m_picture->addItem(words, int(page));
+        m_picture->setItemData(m_picture->count() - 1, which, whichRole);
+    };
+    add(tr("Map"), Page::Map);
     for (const GoalChart::Picture picture : GoalChart::picturesOf(*m_study)) {
         const QString texts[]{tr("Best so far"), tr("Front"), tr("What matters")};
-        m_picture->addItem(texts[std::size_t(picture)], int(picture));
+        add(texts[std::size_t(picture)], Page::Goals, int(picture));
     }
+    add(tr("Percentiles"), Page::Percentiles);
+    add(tr("Parallel axes"), Page::Columns, int(ColumnsView::Picture::Parallel));
+    add(tr("Scatter matrix"), Page::Columns, int(ColumnsView::Picture::Scatter));
+    add(tr("Table"), Page::Columns, int(ColumnsView::Picture::Table));
     // a study with other pictures begins with what it looks for
     const bool hasSame = m_picture->count() == count && m_picture->findText(before) >= 0;
     const StudyPlan::Kind kind = m_study->study.plan.kind;
-    const bool looks = kind == StudyPlan::Kind::Optimise || kind == StudyPlan::Kind::Sensitivity;
-    m_picture->setCurrentIndex(hasSame ? m_picture->findText(before)
-                                       : std::min(looks ? 1 : 0, m_picture->count() - 1));
+    const bool looks =
+        !GoalChart::picturesOf(*m_study).empty()
+        && (kind == StudyPlan::Kind::Optimise || kind == StudyPlan::Kind::Sensitivity);
+    m_picture->setCurrentIndex(hasSame ? m_picture->findText(before) : looks ? 1 : 0);
     showBoxes();
+}
+
+StudyView::Page StudyView::page() const
+{
+    return Page(std::max(0, m_picture->currentData().toInt()));
 }
 
 // Only the choices that the picture asks for.
 void StudyView::showBoxes()
 {
-    const bool isMap = m_picture->currentData().toInt() < 0;
-    const bool hasAxes = isMap && m_study && m_study->study.variables.size() > 1;
-    m_picture->setVisible(m_picture->count() > 1);
-    m_reading->setVisible(
-        isMap || m_picture->currentData().toInt() == int(GoalChart::Picture::Sensitivity));
-    for (QWidget* one : std::initializer_list<QWidget*>{m_x, m_y, m_over})
-        one->setVisible(hasAxes);
+    const Page shown = page();
+    const bool hasReading = shown == Page::Map || shown == Page::Percentiles
+                            || (shown == Page::Goals
+                                && GoalChart::Picture(m_picture->currentData(whichRole).toInt())
+                                       == GoalChart::Picture::Sensitivity);
+    const bool hasMany = m_study && m_study->study.variables.size() > 1;
+    m_reading->setVisible(hasReading);
+    for (QWidget* one : std::initializer_list<QWidget*>{m_x, m_over})
+        one->setVisible(hasMany && (shown == Page::Map || shown == Page::Percentiles));
+    m_y->setVisible(hasMany && shown == Page::Map);
+    m_columns->choice().setVisible(shown == Page::Columns);
     for (QComboBox* box : m_sliceBoxes)
         if (box)
-            box->parentWidget()->setVisible(isMap);
-    m_charts->setCurrentIndex(isMap ? 0 : 1);
+            box->parentWidget()->setVisible(shown == Page::Map);
+    m_charts->setCurrentIndex(int(shown));
 }
 
 // A box for each further variable of a grid.
@@ -258,11 +311,28 @@ void StudyView::refresh()
         return;
     }
     const auto reading = std::size_t(std::max(0, m_reading->currentIndex()));
-    if (m_charts->currentWidget() == m_goals) {
-        m_goals->show(*m_study, *m_flights, GoalChart::Picture(m_picture->currentData().toInt()),
-                      reading);
-        return describe(-1);
+    const auto x = std::size_t(std::max(0, m_x->currentIndex()));
+    const int which = m_picture->currentData(whichRole).toInt();
+    switch (page()) {
+    case Page::Map:
+        refreshMap(reading);
+        break;
+    case Page::Percentiles:
+        m_bands->show(variableColumn(*m_study, x), readingColumn(*m_study, *m_flights, reading),
+                      *m_flights);
+        break;
+    case Page::Columns:
+        m_columns->show(*m_study, *m_flights, ColumnsView::Picture(which));
+        break;
+    case Page::Goals:
+        m_goals->show(*m_study, *m_flights, GoalChart::Picture(which), reading);
+        break;
     }
+    describe(-1);
+}
+
+void StudyView::refreshMap(std::size_t reading)
+{
     MapChoice choice;
     choice.x = std::size_t(std::max(0, m_x->currentIndex()));
     const auto y = std::size_t(std::max(0, m_y->currentIndex()));
@@ -272,16 +342,46 @@ void StudyView::refresh()
     for (const QComboBox* box : m_sliceBoxes)
         choice.slice.push_back(box ? std::size_t(box->currentIndex()) : 0);
     m_chart->show(mapOf(*m_study, *m_flights, choice), m_reading->currentText());
-    describe(-1);
 }
 
 void StudyView::choose(std::optional<std::size_t> point)
 {
+    select(point ? std::vector{*point} : std::vector<std::size_t>());
+}
+
+void StudyView::pick(const std::vector<std::size_t>& points, Picking how)
+{
+    select(pickedOf(m_selected, points, how));
+    if (how == Picking::Replace && points.size() > 1) // none of them more than another
+        chooseOfSelected(std::nullopt);
+}
+
+// The last of them is the chosen one.
+void StudyView::select(std::vector<std::size_t> points)
+{
+    m_selected = std::move(points);
+    m_columns->mark(m_selected);
+    chooseOfSelected(m_selected.empty() ? std::nullopt : std::optional(m_selected.back()));
+}
+
+void StudyView::chooseOfSelected(std::optional<std::size_t> point)
+{
     m_chosen = point;
-    m_chart->mark(point);
+    m_chart->mark(m_selected, m_chosen);
+    m_curves->mark(m_chosen);
     for (QPushButton* button : {m_watch, m_apply})
         button->setEnabled(point.has_value());
+    const std::size_t several = std::min(m_selected.size(), mostCompared);
+    m_compare->setEnabled(several > 1);
+    m_compare->setText(several > 1 ? tr("&Compare %1").arg(several) : tr("&Compare"));
     describe(-1);
+}
+
+void StudyView::showCurves(std::vector<FlightCurve> curves)
+{
+    m_curves->setVisible(!curves.empty());
+    m_curves->show(std::move(curves));
+    m_curves->mark(m_chosen);
 }
 
 // Of the flight below the pointer, or of the chosen one.
@@ -291,6 +391,8 @@ void StudyView::describe(qlonglong point)
         return m_told->clear();
     if (point < 0 && m_chosen)
         point = qlonglong(*m_chosen);
+    if (point < 0 && !m_selected.empty())
+        return m_told->setText(tr("%1 flights are selected.").arg(m_selected.size()));
     if (point < 0)
         return m_told->setText(tr("Click a flight to watch it or to take its values."));
     QString text = valuesOf(*m_study, std::size_t(point)) + QStringLiteral(": ");
@@ -310,19 +412,63 @@ void StudyView::describe(qlonglong point)
     m_told->setText(text);
 }
 
-void StudyView::savePictureAs()
+// --- files ---------------------------------------------------------------------------------------
+
+static QString askForPicture(QWidget* parent, const QString& name)
 {
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Save the picture"), QStringLiteral("study.svg"),
-                                     tr("Pictures (*.svg *.pdf *.png)"));
-    if (file.isEmpty())
-        return;
-    const bool isMap = m_charts->currentWidget() == m_chart;
-    if (savePicture(isMap ? m_chart->plot() : m_goals->plot(), file))
+    return QFileDialog::getSaveFileName(parent, StudyView::tr("Save the picture"), name,
+                                        StudyView::tr("Pictures (*.svg *.pdf *.png)"));
+}
+
+QCustomPlot* StudyView::shownPlot()
+{
+    switch (page()) {
+    case Page::Map:
+        return &m_chart->plot();
+    case Page::Percentiles:
+        return &m_bands->plot();
+    case Page::Columns:
+        return m_columns->plot();
+    case Page::Goals:
+        return &m_goals->plot();
+    }
+    return nullptr;
+}
+
+bool StudyView::writePicture(QCustomPlot& plot, const QString& file)
+{
+    const bool isWritten = savePicture(plot, file);
+    if (isWritten)
         emit said(tr("Saved %1").arg(QFileInfo(file).fileName()));
     else
         QMessageBox::warning(this, tr("Cannot save the picture"),
                              tr("%1 cannot be written.").arg(file));
+    return isWritten;
+}
+
+void StudyView::saveCurvesAs()
+{
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Save the curves"), QStringLiteral("curves.svg"),
+                                     tr("Pictures (*.svg *.pdf *.png);;Tables (*.csv)"));
+    if (file.isEmpty())
+        return;
+    if (!file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        writePicture(m_curves->plot(), file);
+        return;
+    }
+    if (const auto failure = replaceFile(pathOf(file), m_curves->table(), Flush::ToDisk))
+        QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
+    else
+        emit said(tr("Saved %1").arg(QFileInfo(file).fileName()));
+}
+
+void StudyView::savePictureAs()
+{
+    const QString file = askForPicture(this, QStringLiteral("study.svg"));
+    if (file.isEmpty())
+        return;
+    writePicture(*shownPlot(), file);
 }
 
 } // namespace ripstop

@@ -179,7 +179,7 @@ void Stage::setDesignShown(bool shown)
 {
     m_designShown = shown;
     m_design.reset();
-    m_designGhost.show(nullptr);
+    m_designGhost.show({});
     m_layersAreOld = true;
 }
 
@@ -189,7 +189,7 @@ void Stage::takeDesign(const Scene& scene)
         return;
     if (!m_design)
         m_design = sceneFrame(scene);
-    m_designGhost.show(designGhost(m_design, *m_frame));
+    m_designGhost.show({{designGhost(m_design, *m_frame), {}}});
 }
 
 ValueRange Stage::range() const

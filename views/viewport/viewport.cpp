@@ -8,6 +8,7 @@
 // The camera: fitting, preset views, following. The mouse and keys are in viewport_input.cpp.
 #include "viewport/viewport.h"
 
+#include "document/recordings.h"
 #include "look/scene_frame.h"
 #include "overlays/overlay_paint.h"
 #include "tools/tool_strip.h"
@@ -211,9 +212,12 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
     d->screen.renderSoon();
 }
 
-void Viewport::showGhost(std::shared_ptr<const Frame> frame)
+void Viewport::showGhosts(const std::vector<GhostFrame>& ghosts)
 {
-    d->draw([&] { d->stage.ghost.show(std::move(frame)); });
+    std::vector<GhostLayer::Ghost> shown;
+    for (const GhostFrame& ghost : ghosts)
+        shown.push_back({ghost.frame, ghost.color});
+    d->draw([&] { d->stage.ghost.show(std::move(shown)); });
 }
 
 const std::shared_ptr<const Frame>& Viewport::frame() const { return d->stage.frame(); }

@@ -21,11 +21,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace ripstop {
 
 struct Brush;
 class Document;
+struct GhostFrame; // document/recordings.h
 struct HandSettings;
 class Legend;
 class Player;
@@ -48,8 +50,8 @@ public:
     // Shows this instant until the next one; the player's frames come by themselves.
     void show(std::shared_ptr<const Frame> frame);
     using QWidget::show;
-    void showGhost(std::shared_ptr<const Frame> frame); // another run over this one, or null
-    const std::shared_ptr<const Frame>& frame() const;  // null before the first
+    void showGhosts(const std::vector<GhostFrame>& ghosts); // other runs over this one
+    const std::shared_ptr<const Frame>& frame() const;      // null before the first
 
     ColorBy colorBy() const;
     void setColorBy(ColorBy colorBy);
