@@ -105,9 +105,22 @@ double clean(double value)
     return value;
 }
 
+// A number and nothing else, which studies read by the hundred thousand.
+std::optional<double> bareNumber(std::string_view text)
+{
+    double value = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
 // Reads the whole text as a value in the wanted unit.
 Typed plain(const Rest& rest, std::string_view wanted)
 {
+    if (const auto number = bareNumber(rest.text))
+        return {TypedNumber{TypedNumber::Sort::Absolute, *number}, {}, 0, {}};
     const std::optional<Measured> unit = measureOfUnit(wanted);
     Expression read = evaluate(rest.text, unit ? unit->dimension : Dimension{});
     if (!read.quantity)

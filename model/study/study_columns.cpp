@@ -1,3 +1,4 @@
+// Percentiles are those of measures (measure.h); bandEnds() decides what is taken together.
 #include "study/study_columns.h"
 
 #include "scene/typed_number.h"
@@ -27,9 +28,8 @@ std::vector<std::size_t> bandEnds(const std::vector<double>& sorted)
     if (hasRepeats || sorted.size() < 2 * fewest)
         return ends;
     // as many bands as have about as many points each
-    const auto bands =
-        std::max<std::size_t>(2, std::min(sorted.size() / fewest,
-                                          std::size_t(std::sqrt(double(sorted.size())))));
+    const auto bands = std::max<std::size_t>(
+        2, std::min(sorted.size() / fewest, std::size_t(std::sqrt(double(sorted.size())))));
     ends.clear();
     for (std::size_t band = 1; band <= bands; ++band)
         ends.push_back(band * sorted.size() / bands);
@@ -149,9 +149,9 @@ std::vector<StudyBand> bandsOf(const StudyColumn& variable, const StudyColumn& r
     std::vector<StudyBand> bands;
     std::size_t first = 0;
     for (const std::size_t end : bandEnds(sorted)) {
-        bands.push_back(bandOf({points.begin() + std::ptrdiff_t(first),
-                                points.begin() + std::ptrdiff_t(end)},
-                               variable, reading, flights));
+        bands.push_back(
+            bandOf({points.begin() + std::ptrdiff_t(first), points.begin() + std::ptrdiff_t(end)},
+                   variable, reading, flights));
         first = end;
     }
     return bands;

@@ -45,6 +45,14 @@ struct Desk : WindowShop
         QApplication::sendEvent(&viewport, &event);
         QTest::qWait(100);
     }
+    void zoomOut()
+    {
+        const QPointF place = share(0.5, 0.5);
+        QWheelEvent event(place, viewport.mapToGlobal(place), {}, {0, -120}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&viewport, &event);
+        QTest::qWait(30);
+    }
     QPointF share(double x, double y) const
     {
         return {x * viewport.width(), y * viewport.height()};
@@ -145,11 +153,15 @@ void takeStudies(const QDir& target)
         StudyDesk desk("line_in_gusts");
         desk.panel.view().choose(17);
         desk.picture().save(target.filePath("study-map.png"));
-        desk.panel.view().select({15, 16, 18, 20});
+        desk.window.resize(1600, 1000);
+        for (int i = 0; i < 5; ++i) // room for ghosts
+            desk.zoomOut();
+        desk.panel.view().select({6, 13, 20, 34});
         emit desk.panel.view().compareWanted(desk.panel.view().selected());
         (void)QTest::qWaitFor(
             [&] { return desk.rests() && desk.panel.view().curves().isVisible(); }, 60'000);
         desk.choose("ghosts side by side");
+        desk.choose("line tension (N)");
         desk.picture().save(target.filePath("study-compare.png"));
     }
     StudyDesk desk("gust_seeds");

@@ -160,7 +160,12 @@ private slots:
                           QPointF(curves.xAxis->coordToPixel(second.time[middle]),
                                   curves.yAxis->coordToPixel(second.value[0][middle]))
                               .toPoint());
-        QVERIFY(view.chosen() == view.curves().curves()[1].point);
+        // or one that lies on it, as masses fall alike
+        const auto clicked = std::ranges::find(view.curves().curves(), view.chosen().value_or(99),
+                                               &FlightCurve::point);
+        QVERIFY(clicked != view.curves().curves().end());
+        QVERIFY(std::abs(clicked->flight->curves.value[0][middle] - second.value[0][middle])
+                < 1e-6 * std::abs(second.value[0][middle]) + 1e-6);
         QCOMPARE(view.selected().size(), std::size_t(4));
         // and what was flown again is kept
         QTest::mouseClick(&shop.button("Watch"), Qt::LeftButton);

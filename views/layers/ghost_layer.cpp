@@ -1,3 +1,5 @@
+// The points of all ghosts stand one after the other in one array, and their cells likewise,
+// coloured each; cells are made anew only when networks change, points at every frame.
 #include "layers/ghost_layer.h"
 
 #include <vtkRenderer.h>

@@ -43,8 +43,8 @@ signals:
 private:
     void markShown();
 
-    std::vector<char> m_isShown;        // [variables and readings]
-    std::vector<StudyColumn> m_drawn;   // [variables], which stay
+    std::vector<char> m_isShown;      // [variables and readings]
+    std::vector<StudyColumn> m_drawn; // [variables], which stay
     std::vector<std::size_t> m_selected;
     QToolButton* m_choice;
     QMenu* m_menu;

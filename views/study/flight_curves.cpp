@@ -23,8 +23,8 @@ namespace ripstop {
 
 FlightCurves::FlightCurves(QWidget* parent)
     : QWidget(parent)
-    , m_probe(narrowBox(tr("Probe of the curves")))
-    , m_ghosts(narrowBox(tr("How the flights are shown in the view")))
+    , m_probe(narrowBox(tr("Probe of the curves"), {}, 2))
+    , m_ghosts(narrowBox(tr("How the flights are shown in the view"), {}, 2))
     , m_chart(new XyChart)
 {
     m_ghosts->addItems({tr("ghosts over each other"), tr("ghosts side by side"), tr("no ghosts")});
@@ -42,7 +42,7 @@ FlightCurves::FlightCurves(QWidget* parent)
     layout->setSpacing(4);
     layout->addLayout(line);
     layout->addWidget(m_chart, 1);
-    setMinimumWidth(220);
+    m_chart->setMinimumWidth(120);
     connect(m_probe, &QComboBox::activated, this, [this](int probe) {
         m_shownProbe = probe;
         draw();

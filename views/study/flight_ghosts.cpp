@@ -1,3 +1,4 @@
+// Side by side they stand in steps that are as wide as the widest of them, from where they began.
 #include "study/flight_ghosts.h"
 
 #include "study/flight_curves.h"
@@ -20,7 +21,7 @@ Vec3 sideStep(const Recording& recording)
         most = most.cwiseMax(position);
     }
     const Vec3 size = most - least;
-    constexpr double room = 1.4; // of the width, from middle to middle
+    constexpr double room = 1.4;                // of the width, from middle to middle
     const double thickness = 0.2 * size.norm(); // of what has none, as a pendulum
     return size.z() <= size.x() ? Vec3(0.0, 0.0, room * std::max(size.z(), thickness))
                                 : Vec3(room * std::max(size.x(), thickness), 0.0, 0.0);

@@ -57,7 +57,7 @@ GoalChart::GoalChart(QWidget* parent)
          std::initializer_list<QCPAbstractPlottable*>{m_flights, m_best, m_firstBand, m_totalBand})
         one->removeFromLegend();
     m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
-    setMinimumSize(240, 150);
+    setMinimumSize(180, 150);
     connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
         const Point* nearest = nullptr;
         double least = nearFlight;

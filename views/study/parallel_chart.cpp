@@ -1,6 +1,6 @@
 // Axes stand at the whole numbers of x, and y goes from 0 at the bottom of all axes to 1 at their
-// top. Between two axes each pair of heights that occurs is one straight line, heights being counted
-// in small steps where there are very many points.
+// top. Between two axes each pair of heights that occurs is one straight line, heights being
+// counted in small steps where there are very many points.
 #include "study/parallel_chart.h"
 
 #include "plots/chart_style.h"
@@ -39,7 +39,7 @@ ParallelChart::ParallelChart(QWidget* parent)
     m_plot->yAxis->setRange(-0.2, 1.12);
     m_plot->xAxis->setTickPen(Qt::NoPen);
     m_plot->xAxis->setSubTickPen(Qt::NoPen);
-    setMinimumSize(240, 150);
+    setMinimumSize(180, 150);
     connect(m_plot, &QCustomPlot::mousePress, this,
             [this](const QMouseEvent* event) { press(*event); });
     connect(m_plot, &QCustomPlot::mouseMove, this,
@@ -201,8 +201,8 @@ void ParallelChart::press(const QMouseEvent& event)
     const double x = m_plot->xAxis->pixelToCoord(event.pos().x());
     const int column = int(std::lround(x));
     constexpr double near = 0.3; // of the way to the next axis
-    m_pressed = event.button() == Qt::LeftButton && column >= 0
-                        && column < int(m_columns->size()) && std::abs(x - column) < near
+    m_pressed = event.button() == Qt::LeftButton && column >= 0 && column < int(m_columns->size())
+                        && std::abs(x - column) < near
                     ? column
                     : -1;
     m_from = event.pos().y();

@@ -38,7 +38,7 @@ PercentileChart::PercentileChart(QWidget* parent)
     m_lines[0]->removeFromLegend();
     m_lines[1]->removeFromLegend();
     m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
-    setMinimumSize(240, 150);
+    setMinimumSize(180, 150);
     connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
         if (event->button() != Qt::LeftButton || m_bands.empty())
             return;

@@ -21,8 +21,7 @@ class PercentileChart final : public QWidget
 public:
     explicit PercentileChart(QWidget* parent = nullptr);
 
-    void show(const StudyColumn& variable, const StudyColumn& reading,
-              const StudyFlights& flights);
+    void show(const StudyColumn& variable, const StudyColumn& reading, const StudyFlights& flights);
     using QWidget::show;
 
     QCustomPlot& plot() { return *m_plot; }

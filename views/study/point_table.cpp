@@ -162,7 +162,8 @@ void PointTable::pick(const QModelIndex& index)
         emit picked({m_model->pointAt(index.row())}, how);
         return;
     }
-    const auto [first, last] = std::minmax({std::min(m_anchor, m_model->rowCount() - 1), index.row()});
+    const auto [first, last] =
+        std::minmax({std::min(m_anchor, m_model->rowCount() - 1), index.row()});
     std::vector<std::size_t> points;
     for (int row = first; row <= last; ++row)
         points.push_back(m_model->pointAt(row));

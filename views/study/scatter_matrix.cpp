@@ -15,10 +15,10 @@
 namespace ripstop {
 namespace {
 
-constexpr int steps = 96;             // of a side of a cell, of very many points
+constexpr int steps = 96;               // of a side of a cell, of very many points
 constexpr std::size_t fewPoints = 2000; // that are drawn each
-constexpr int bins = 24;              // of a diagonal
-constexpr int shortest = 6;           // px, that is no click
+constexpr int bins = 24;                // of a diagonal
+constexpr int shortest = 6;             // px, that is no click
 
 QCPRange rangeOf(const StudyColumn& column)
 {
@@ -48,7 +48,7 @@ ScatterMatrix::ScatterMatrix(QWidget* parent)
     m_plot->plotLayout()->clear();
     m_plot->plotLayout()->setRowSpacing(0);
     m_plot->plotLayout()->setColumnSpacing(0);
-    setMinimumSize(240, 150);
+    setMinimumSize(180, 150);
     connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
         m_from = event->pos();
         const auto found = std::ranges::find_if(
@@ -63,7 +63,7 @@ ScatterMatrix::ScatterMatrix(QWidget* parent)
 
 void ScatterMatrix::show(SharedColumns columns, const std::vector<std::size_t>& selected)
 {
-    const std::size_t shown = std::min(columns->size(), mostColumns);
+    const std::size_t shown = std::min(columns->size(), roomFor());
     bool isSame = shown == m_shown && m_shown <= m_columns->size();
     for (std::size_t i = 0; isSame && i < shown; ++i)
         isSame = (*columns)[i].title == (*m_columns)[i].title;
@@ -72,6 +72,13 @@ void ScatterMatrix::show(SharedColumns columns, const std::vector<std::size_t>& 
     if (!isSame)
         build();
     mark(selected);
+}
+
+// As many as can be read: a low panel shows fewer.
+std::size_t ScatterMatrix::roomFor() const
+{
+    constexpr int least = 52; // px, of a cell
+    return std::clamp<std::size_t>(std::size_t(height() / least), 2, mostColumns);
 }
 
 void ScatterMatrix::build()
@@ -108,8 +115,7 @@ void ScatterMatrix::addDiagonal(std::size_t column)
     m_plot->plotLayout()->addElement(int(column), int(column), rect);
     QCPAxis* across = rect->axis(QCPAxis::atBottom);
     QCPAxis* upwards = rect->axis(QCPAxis::atLeft);
-    m_diagonals.push_back(
-        {column, new QCPBars(across, upwards), new QCPBars(across, upwards)});
+    m_diagonals.push_back({column, new QCPBars(across, upwards), new QCPBars(across, upwards)});
 }
 
 void ScatterMatrix::fill()
@@ -133,9 +139,10 @@ void ScatterMatrix::fillCell(const Cell& cell)
     upwards.setRange(rangeOf(ys));
     const auto place = [](const QCPAxis& axis, double value) {
         const QCPRange& range = axis.range();
-        const double share = axis.scaleType() == QCPAxis::stLogarithmic
-                                 ? std::log(value / range.lower) / std::log(range.upper / range.lower)
-                                 : (value - range.lower) / range.size();
+        const double share =
+            axis.scaleType() == QCPAxis::stLogarithmic
+                ? std::log(value / range.lower) / std::log(range.upper / range.lower)
+                : (value - range.lower) / range.size();
         return std::size_t(std::clamp(int(share * steps), 0, steps - 1));
     };
     const std::size_t count = xs.value.size();
@@ -200,8 +207,8 @@ void ScatterMatrix::mark(const std::vector<std::size_t>& selected)
 
 QPointF ScatterMatrix::placeOf(std::size_t x, std::size_t y, std::size_t point) const
 {
-    const auto found = std::ranges::find_if(
-        m_cells, [&](const Cell& cell) { return cell.x == x && cell.y == y; });
+    const auto found =
+        std::ranges::find_if(m_cells, [&](const Cell& cell) { return cell.x == x && cell.y == y; });
     if (found == m_cells.end())
         return {};
     return {found->rect->axis(QCPAxis::atBottom)->coordToPixel((*m_columns)[x].value[point]),
@@ -258,7 +265,10 @@ void ScatterMatrix::restyle()
             QCPAxis& axis = *rect.axis(side);
             styleAxis(axis, *this);
             axis.setTickLabels(isOuter);
-            axis.setLabel(isOuter ? QString::fromStdString((*m_columns)[column].title) : QString());
+            const int room = (side == QCPAxis::atLeft ? height() : width()) / int(m_shown) - 8;
+            const QString title = QString::fromStdString((*m_columns)[column].title);
+            axis.setLabel(isOuter ? fontMetrics().elidedText(title, Qt::ElideRight, room)
+                                  : QString());
             axis.ticker()->setTickCount(3);
             axis.grid()->setVisible(false);
         }
@@ -271,9 +281,9 @@ void ScatterMatrix::restyle()
     for (const Cell& cell : m_cells) {
         style(*cell.rect, cell.x, cell.y);
         cell.others->setScatterStyle(
-            QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(Qt::NoPen), grey, 3));
+            QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(grey), grey, 3));
         cell.selected->setScatterStyle(
-            QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(Qt::NoPen), color, 3));
+            QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(color), color, 3));
     }
     for (const Diagonal& diagonal : m_diagonals) {
         style(*diagonal.bars->keyAxis()->axisRect(), diagonal.column, diagonal.column);
@@ -282,6 +292,18 @@ void ScatterMatrix::restyle()
         diagonal.bars->setBrush(grey);
         diagonal.selected->setPen(Qt::NoPen);
         diagonal.selected->setBrush(color);
+    }
+}
+
+void ScatterMatrix::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (std::min(m_columns->size(), roomFor()) != m_shown) {
+        m_shown = std::min(m_columns->size(), roomFor());
+        build();
+        fill();
+    } else {
+        restyle(); // as much of the titles as has room
     }
 }
 

@@ -20,7 +20,7 @@ class ScatterMatrix final : public QWidget
 public:
     explicit ScatterMatrix(QWidget* parent = nullptr);
 
-    static constexpr std::size_t mostColumns = 6; // of those that are shown, the first
+    static constexpr std::size_t mostColumns = 6; // of those that are given, the first
 
     //   selected  points by their numbers in the study; none: all are drawn alike
     void show(SharedColumns columns, const std::vector<std::size_t>& selected);
@@ -36,6 +36,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Cell // of two different columns
@@ -53,6 +54,7 @@ private:
         QCPBars* selected;
     };
 
+    std::size_t roomFor() const; // columns
     void build();
     void addCell(std::size_t x, std::size_t y);
     void addDiagonal(std::size_t column);

@@ -119,7 +119,7 @@ StudyChart::StudyChart(QWidget* parent)
         drawAxes();
         drawMarks();
     });
-    setMinimumSize(240, 150);
+    setMinimumSize(180, 150);
     connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
         if (event->button() == Qt::LeftButton)
             pick(*event);
@@ -362,6 +362,13 @@ void StudyChart::drawMarks()
     const bool areCells = m_cells->visible();
     QVector<double> x, y, ringX, ringY;
     const StudyMap::Point* chosen = nullptr;
+    std::set<std::array<int, 2>> ringed; // places of very many, each once
+    const auto isFirstAt = [&](const StudyMap::Point& point) {
+        if (selected.size() < manyPoints)
+            return true;
+        const QPointF there = placeOf(point) / samePlace;
+        return ringed.insert({int(there.x()), int(there.y())}).second;
+    };
     for (const StudyMap::Point& one : m_map.points) {
         if (one.number == m_marked)
             chosen = &one;
@@ -375,7 +382,7 @@ void StudyChart::drawMarks()
             }
             x << gap;
             y << gap;
-        } else if (std::isfinite(heightOf(one))) {
+        } else if (std::isfinite(heightOf(one)) && isFirstAt(one)) {
             ringX << one.x;
             ringY << heightOf(one);
         }
