@@ -11,6 +11,7 @@
 #include "study/study_chart.h"
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <qcustomplot.h>
 
 #include <cmath>
@@ -244,6 +245,48 @@ private slots:
                   qPrintable(clocks.lap()));
             view.select({});
         }
+    }
+
+    // A map of 41 by 41 flights of 8 s of a kite, of which some are flown here: how long the window
+    // is busy with what comes in, as a timer sees it that is due sixty times a second.
+    void theWindowGoesOnWhileItFlies()
+    {
+        StudyShop shop("kite_in_gusts");
+        shop.window.docks().show("study");
+        Study study;
+        study.scene = "a.ripstop.json";
+        study.seconds = 8.0;
+        study.untilTear = true;
+        study.variables = {rangeVariable(1500.0, 24000.0, 41, true),
+                           rangeVariable(40.0, 160.0, 41, false)};
+        study.variables[0].name = "EA";
+        study.variables[0].paths = {"line.axialStiffness"};
+        study.variables[1].name = "strength";
+        study.variables[1].paths = {"line.lineStrength"};
+        study.measures = {{"line tension", Reduction::Largest}};
+        open(shop, study);
+        shop.panel.run();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.panel.runner().task() == StudyRunner::Task::Flying, patience);
+        QTimer timer;
+        timer.setTimerType(Qt::PreciseTimer);
+        QElapsedTimer clock, all;
+        qint64 longest = 0;
+        int ticks = 0;
+        QObject::connect(&timer, &QTimer::timeout, [&] {
+            longest = std::max(longest, clock.restart());
+            ++ticks;
+        });
+        timer.start(16);
+        clock.start();
+        all.start();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.panel.runner().tally().flown >= 12, patience);
+        timer.stop();
+        const double seconds = 1e-3 * double(all.elapsed());
+        const std::size_t flown = shop.panel.runner().tally().flown;
+        shop.panel.stop();
+        qInfo("41 x 41: %zu flights in %.1f s, %.0f turns of the window a second, the longest "
+              "%lld ms",
+              flown, seconds, ticks / seconds, longest);
     }
 
     void aMapOfTwoHundredByTwoHundred()

@@ -49,11 +49,27 @@ FlightCurves::FlightCurves(QWidget* parent)
     });
     connect(m_ghosts, &QComboBox::activated, this, &FlightCurves::ghostsWanted);
     connect(close, &QToolButton::clicked, this, &FlightCurves::closed);
-    connect(&plot(), &QCustomPlot::plottableClick, this, [this](QCPAbstractPlottable* clicked) {
-        for (int i = 0; i < plot().plottableCount(); ++i)
-            if (plot().plottable(i) == clicked)
-                emit chosen(m_curves[std::size_t(i)].point);
-    });
+    connect(&plot(), &QCustomPlot::plottableClick, this,
+            [this](QCPAbstractPlottable*, int, const QMouseEvent* event) {
+                if (const auto nearest = nearestTo(event->pos()))
+                    emit chosen(m_curves[*nearest].point);
+            });
+}
+
+// Where curves lie close the click is told of the topmost, which need not be the one that is meant.
+std::optional<std::size_t> FlightCurves::nearestTo(const QPointF& place)
+{
+    std::optional<std::size_t> nearest;
+    double least = 0.0;
+    for (std::size_t i = 0; i < m_curves.size() && int(i) < plot().plottableCount(); ++i) {
+        const double away =
+            plot().plottable(int(i))->selectTest(place, false); // < 0: has no points
+        if (away >= 0.0 && (!nearest || away < least)) {
+            least = away;
+            nearest = i;
+        }
+    }
+    return nearest;
 }
 
 QCustomPlot& FlightCurves::plot() { return m_chart->plot(); }

@@ -55,7 +55,8 @@ protected:
 
 private:
     void draw();
-    int probe() const { return m_shownProbe; } // number among the probes
+    std::optional<std::size_t> nearestTo(const QPointF& place); // px of the plot
+    int probe() const { return m_shownProbe; }                  // number among the probes
 
     std::vector<FlightCurve> m_curves;
     std::optional<std::size_t> m_marked;

@@ -1,4 +1,5 @@
-// Side by side they stand in steps that are as wide as the widest of them, from where they began.
+// Side by side they stand in their order on both sides of the current one, in steps that are wider
+// than the widest of them where they begin.
 #include "study/flight_ghosts.h"
 
 #include "study/flight_curves.h"
@@ -21,8 +22,8 @@ Vec3 sideStep(const Recording& recording)
         most = most.cwiseMax(position);
     }
     const Vec3 size = most - least;
-    constexpr double room = 1.4;                // of the width, from middle to middle
-    const double thickness = 0.2 * size.norm(); // of what has none, as a pendulum
+    constexpr double room = 1.4;                 // of the width, from middle to middle
+    const double thickness = 0.05 * size.norm(); // of what has none, as a pendulum
     return size.z() <= size.x() ? Vec3(0.0, 0.0, room * std::max(size.z(), thickness))
                                 : Vec3(room * std::max(size.x(), thickness), 0.0, 0.0);
 }
@@ -39,14 +40,16 @@ std::vector<Recordings::Ghost> ghostsOf(const FlightCurves& compared,
     if (compared.ghosts() == FlightCurves::Ghosts::Beside)
         for (const FlightCurve& one : compared.curves())
             step = step.cwiseMax(sideStep(*one.flight->recording));
-    Vec3 shift(0.0, 0.0, 0.0);
-    for (std::size_t i = 0; i < compared.curves().size(); ++i) {
-        const auto& recording = compared.curves()[i].flight->recording;
-        if (recording == current)
-            continue;
-        shift += step;
-        ghosts.push_back({recording, shift, compared.colorOf(i).rgb()});
-    }
+    const auto isCurrent = [&](const FlightCurve& one) { return one.flight->recording == current; };
+    const auto middle = std::ranges::find_if(compared.curves(), isCurrent);
+    const auto first =
+        middle == compared.curves().end() ? std::ptrdiff_t(-1) : middle - compared.curves().begin();
+    for (std::size_t i = 0; i < compared.curves().size(); ++i)
+        if (!isCurrent(compared.curves()[i])) {
+            const double steps = double(std::ptrdiff_t(i) - first);
+            ghosts.push_back({compared.curves()[i].flight->recording, Vec3(steps * step),
+                              compared.colorOf(i).rgb()});
+        }
     return ghosts;
 }
 
