@@ -9208,11 +9208,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
-        <source>%1 flights again, all the same to the bit.</source>
-        <translation>%1 vols refaits, tous identiques au bit près.</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
         <source>%1 flown along the tear line</source>
         <translation>%1 volés le long de la ligne</translation>
     </message>
@@ -9228,11 +9223,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
-        <source>%1 of %2 flights came to another state than the study has: the study is of another version or machine.</source>
-        <translation>%1 vols sur %2 sont arrivés à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
         <source>%1 of %2 flown</source>
         <translation>%1 sur %2 volés</translation>
     </message>
@@ -9245,16 +9235,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_panel.cpp"/>
         <source>%1 of up to %2 flown</source>
         <translation>%1 volés sur %2 au plus</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>%1: flown again, and it came to another state than the study has: the study is of another version or machine.</source>
-        <translation>%1 : revolé, et arrivé à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>%1: flown again, the same to the bit. The timeline has it.</source>
-        <translation>%1 : revolé, identique au bit près. La chronologie l’a.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -9347,18 +9327,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_panel.cpp"/>
-        <source>The design has the values of the study now: %1</source>
-        <translation>La conception a maintenant les valeurs de l’étude : %1</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
         <source>The map is that of the study before you changed it; Fly adds the rest.</source>
         <translation>La carte est celle de l’étude avant sa modification ; Voler ajoute le reste.</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>The open design cannot take it. %1</source>
-        <translation>La conception ouverte ne peut pas les prendre. %1</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -9366,7 +9336,37 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <translation>L’étude %1.</translation>
     </message>
     <message>
-        <location filename="study_panel.cpp"/>
+        <location filename="study_panel_flights.cpp"/>
+        <source>%1 flights again, all the same to the bit.</source>
+        <translation>%1 vols refaits, tous identiques au bit près.</translation>
+    </message>
+    <message>
+        <location filename="study_panel_flights.cpp"/>
+        <source>%1 of %2 flights came to another state than the study has: the study is of another version or machine.</source>
+        <translation>%1 vols sur %2 sont arrivés à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
+    </message>
+    <message>
+        <location filename="study_panel_flights.cpp"/>
+        <source>%1: flown again, and it came to another state than the study has: the study is of another version or machine.</source>
+        <translation>%1 : revolé, et arrivé à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
+    </message>
+    <message>
+        <location filename="study_panel_flights.cpp"/>
+        <source>%1: flown again, the same to the bit. The timeline has it.</source>
+        <translation>%1 : revolé, identique au bit près. La chronologie l’a.</translation>
+    </message>
+    <message>
+        <location filename="study_panel_flights.cpp"/>
+        <source>The design has the values of the study now: %1</source>
+        <translation>La conception a maintenant les valeurs de l’étude : %1</translation>
+    </message>
+    <message>
+        <location filename="study_panel_flights.cpp"/>
+        <source>The open design cannot take it. %1</source>
+        <translation>La conception ouverte ne peut pas les prendre. %1</translation>
+    </message>
+    <message>
+        <location filename="study_panel_flights.cpp"/>
         <source>Values of a study</source>
         <translation>Valeurs d’une étude</translation>
     </message>

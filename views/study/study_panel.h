@@ -13,6 +13,7 @@
 
 #include "scene/slider.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include <memory>
@@ -76,6 +77,7 @@ private:
     bool isOfTheDesign() const; // the study that is shown
     void showOpened();
     void showState();
+    void refreshSometimes(); // there are more flights
     void showFailure(const Message& why);
     void watched(std::size_t point);
     void compare(const std::vector<std::size_t>& points);
@@ -99,6 +101,8 @@ private:
     QString m_file;
     bool m_isEdited = false; // since it was written
     bool m_fliesOnceOpen = false;
+    QElapsedTimer m_sinceRefresh; // not valid: the next one is due
+    qint64 m_refreshTime = 0;     // ms, that the last one took
     std::unique_ptr<StudyRunner> m_runner; // last: it ends before what hears of it
 };
 
