@@ -43,7 +43,8 @@ double DirectSolver::assemble(const System& system, ThreadPool& pool)
     for (const SparBend& bend : m_bends.bends())
         if (!bend.gone)
             addTriple(bend, m_bends.block(bend));
-    return 0.5 * (twice + m_panels.energy() + m_bends.energy());
+    addContacts();
+    return 0.5 * (twice + m_panels.energy() + m_bends.energy() + m_contacts.energy());
 }
 
 RIPSTOP_CLONES
@@ -111,6 +112,18 @@ double DirectSolver::addBars(std::size_t first, std::size_t last)
         }
     }
     return twice;
+}
+
+void DirectSolver::addContacts()
+{
+    m_contacts.assemble([this](std::uint32_t row, const Mat3& stiffness, const Vec3& pull) {
+        BlockCholesky::Block& block = diagonal(row);
+        for (int c = 0; c < 3; ++c) {
+            for (int r = 0; r < 3; ++r)
+                block.column[c][r] += stiffness(r, c);
+            m_move[row].v[c] += pull[c];
+        }
+    });
 }
 
 void DirectSolver::addTriple(const Triple& triple, TripleBlock block)

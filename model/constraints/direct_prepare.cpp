@@ -71,6 +71,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Trip
     m_move.assign(m_particle.size(), Row{});
     m_guess.assign(nodes(), Row{});
     m_from.assign(nodes(), Row{});
+    m_contacts.reserve(system.obstacles.empty() ? 0 : nodes());
 }
 
 // Each particle gets its row where a rod, a panel or a bend first names it.

@@ -45,11 +45,20 @@ void DirectSolver::keepCenters()
         if (m_island[i] >= 0)
             pack(m_drift[std::size_t(m_island[i])].v) +=
                 m_mass[i] * (pack(m_position[i].v) - pack(m_guess[i].v));
+    leaveHeldIslands();
     for (std::size_t i = 0; i < m_island.size(); ++i)
         if (m_island[i] >= 0) {
             const auto island = std::size_t(m_island[i]);
             pack(m_position[i].v) -= pack(m_drift[island].v) / m_islandMass[island];
         }
+}
+
+// What an obstacle holds has no centre to keep.
+void DirectSolver::leaveHeldIslands()
+{
+    for (const HeldContact& contact : m_contacts.list())
+        if (contact.acts && m_island[contact.row] >= 0)
+            m_drift[std::size_t(m_island[contact.row])] = {};
 }
 
 // With forces that fall as rods move things the sum of M (x - y) is what stays 0.
@@ -69,6 +78,7 @@ void DirectSolver::keepDraggedCenters()
             m_islandDrag[island] += inertia;
             add(m_drift[island], inertia * (vec(m_position[i]) - vec(m_guess[i])));
         }
+    leaveHeldIslands();
     for (std::size_t k = 0; k < m_drift.size(); ++k) {
         const Vec3 off = m_islandDrag[k].inverse() * vec(m_drift[k]);
         m_drift[k] = {{off.x(), off.y(), off.z(), 0.0}};
@@ -159,12 +169,14 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     });
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
+    m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_guess);
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();
     if ((m_iterates || !m_panels.empty()) && !task.before.empty())
         startNearer(task, pool);
     else
         measure(system, pool);
+    m_contacts.follow(rowsThatMove(), m_mass, m_position);
     m_pulls += m_panels.energy();
     m_tripleErrors = 0.0;
     int taken = 0;
@@ -176,12 +188,14 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         moveAlongGuides();
         const Arrival arrival = arrive(system, pool);
         near = arrival.worst < tolerance
-               && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(pulls());
+               && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(pulls())
+               && m_contacts.isSettled(leftByNewton * m_accuracy, taken);
         double share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
             go(share *= 0.5, system, pool);
         if (share < 1.0)
             takeShare(share, system);
+        near &= m_contacts.follow(rowsThatMove(), m_mass, m_position);
     }
 
     m_residual = 0.0;
@@ -212,6 +226,7 @@ void DirectSolver::takeShare(double share, const System& system)
     }
     m_panels.settle(share);
     m_bends.settle(share);
+    m_contacts.settle(share);
     const ElasticPanels::Account account = m_panels.account(system);
     m_pulls += account.pulls;
     m_tripleErrors = account.errors + m_bends.errors();
@@ -219,6 +234,8 @@ void DirectSolver::takeShare(double share, const System& system)
 
 bool DirectSolver::hasImpact() const
 {
+    if (m_contacts.hasImpact())
+        return true;
     return m_hasOneWay && std::ranges::any_of(m_bars, [](const Bar& bar) {
                return bar.resists != Resists::Both
                       && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
@@ -248,7 +265,8 @@ void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
             here += part.here;
             nearer += part.nearer;
         });
-    here += m_bends.measure(m_from);
+    here += m_bends.measure(m_from) + m_contacts.energyAt(m_from);
+    nearer += m_contacts.energyAt(m_position);
     nearer += m_bends.measure(m_position) + m_panels.measure(task.system, m_position);
     if (nearer < here)
         return;
@@ -330,6 +348,7 @@ void DirectSolver::measure(const System& system, ThreadPool& pool)
     });
     m_panels.measure(system, m_position);
     m_bends.measure(m_position);
+    m_contacts.measure(m_position);
 }
 
 // The moves lead along the guides but for rounding errors, which are taken out here.
@@ -392,6 +411,8 @@ DirectSolver::Arrival DirectSolver::arrive(const System& system, ThreadPool& poo
     }
     m_bends.foresee(m_move);
     m_bends.measure(m_position);
+    m_contacts.foresee(m_move);
+    m_contacts.measure(m_position);
     m_tripleErrors += m_bends.errors();
     arrival.errors += m_tripleErrors;
     return arrival;
@@ -428,7 +449,7 @@ double DirectSolver::merit() const
         twice += energyOfWay(i);
     for (const Bar& bar : m_bars)
         twice += energyOf(bar);
-    return 0.5 * (twice + m_panels.energy() + m_bends.energy());
+    return 0.5 * (twice + m_panels.energy() + m_bends.energy() + m_contacts.energy());
 }
 
 } // namespace ripstop

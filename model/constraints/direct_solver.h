@@ -24,6 +24,8 @@
 // substeps, and what it leaves is of second order. Which lines and struts act is decided anew in
 // each (primal-dual active sets: Hintermueller, Ito and Kunisch 2002).
 //
+// Where a particle touches an obstacle, that is an element as well (held_contacts.h).
+//
 // A particle on a guide (laws/guide.h) moves by P: its rows and columns of the matrix are
 // multiplied by P on either side but for its mass. What the system gives is exact for it as well.
 //
@@ -41,6 +43,7 @@
 #include "constraints/bar.h"
 #include "constraints/block_cholesky.h"
 #include "constraints/elastic_panels.h"
+#include "constraints/held_contacts.h"
 #include "constraints/multigrid.h"
 #include "constraints/spar_bends.h"
 #include "parallel/simd_pack.h"
@@ -88,9 +91,12 @@ public:
     double leastEnergy() const { return m_h > 0.0 ? m_leastPulls / (m_h * m_h) : 0.0; }
     bool isEmpty() const { return m_bars.empty() && m_panels.empty() && m_bends.empty(); }
 
-    // Whether a line or a strut met its load in the last project(): one that resists one way only
-    // pulls more than twice as hard as before.
+    // Whether something met its load in the last project(): a line or a strut, one that resists one
+    // way only and pulls more than twice as hard as before, or a particle an obstacle.
     bool hasImpact() const;
+
+    // With the obstacles that the task lets it look for.
+    std::span<const HeldContact> contacts() const { return m_contacts.list(); }
 
     std::span<const int> rods() const { return m_rods; }         // as given to prepare()
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
@@ -123,6 +129,7 @@ private:
     double addMasses(std::size_t first, std::size_t last);
     double addBars(std::size_t first, std::size_t last);
     void addTriple(const Triple& triple, TripleBlock block);
+    void addContacts();
     void foresee(Bar& bar) const;
     Arrival arrive(const System& system, ThreadPool& pool);
     Arrival arriveOf(std::size_t first, std::size_t last);
@@ -158,6 +165,8 @@ private:
     void findIslands();
     void keepCenters();
     void keepDraggedCenters();
+    void leaveHeldIslands();
+    std::span<const int> rowsThatMove() const { return {m_particle.data(), nodes()}; }
     void takeDamping(const RodTask& task);
     void addOnGuides(const Bar& bar);
     void moveAlongGuides();
@@ -183,6 +192,7 @@ private:
     bool m_takesTriples = false;
     ElasticPanels m_panels;
     SparBends m_bends;
+    HeldContacts m_contacts;
     double m_tripleErrors = 0.0; // kg m^2, the sum of what their pulls differ by from their law
     std::vector<int> m_particle; // [rows] particle; nodes first, then pins
     std::vector<double> m_mass;  // [nodes] kg

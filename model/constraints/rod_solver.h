@@ -37,6 +37,7 @@ struct RodTask
     std::span<const std::uint8_t> gone = {}; // [panels] 1 where it is
     std::span<const PaddedVec3> drift = {};  // [particles] m/s, that BDF2 looks back by, or empty
     double substep = 0.0;                    // s, of which h is what BDF2 reaches back
+    const ContactSearch* contacts = nullptr; // obstacles for the direct solver to solve with rods
     std::span<const int> damped = {}; // rods whose rest lengths differ in any case (rod_damping.h)
 };
 
@@ -61,6 +62,9 @@ public:
 
     // J, twice the energy that errors of pulls are compared with at least (direct_solver.h).
     double leastEnergy() const { return m_direct.isEmpty() ? 0.0 : m_direct.leastEnergy(); }
+
+    // Of the last substep, where the task lets the global solve look for them.
+    std::span<const HeldContact> contacts() const { return m_direct.contacts(); }
 
     // Whether a line that is solved directly met its load in the last substep (direct_solver.h).
     bool hasImpact() const { return m_direct.hasImpact(); }

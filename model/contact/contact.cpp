@@ -2,14 +2,15 @@
 //
 // The kernel compares the ways of four particles with the planes and the bounds of all obstacles,
 // and calls resolveContact() only for those that may touch one. That goes over the obstacles in
-// their order: touch() asks the row of the shape, in the frame of the obstacle, for the place and
-// the normal; touchOnGuide() turns these along a guide; rebound() says what is left of the
-// velocity. Then the particle is put on the surface, and what friction holds does not creep.
+// their order: touched() (obstacle_touch.h) asks for the place and the normal; touchOnGuide() turns
+// these along a guide; rebound() says what is left of the velocity. Then the particle is put on the
+// surface, and what friction holds does not creep.
 //
 // A particle writes to itself alone, so particles are shared out to threads in any way.
 #include "contact/contact.h"
 
 #include "constraints/guides.h"
+#include "contact/obstacle_touch.h"
 #include "parallel/simd_pack.h"
 
 #include <algorithm>
@@ -20,40 +21,6 @@ namespace ripstop {
 namespace {
 
 constexpr int lookInsideEvery = 16; // substeps; lets out what an edit put into a closed mesh
-
-struct Passage // of a particle past an obstacle, as seen from the obstacle
-{
-    Vec3 from; // m, at the start of the substep
-    Vec3 to;
-};
-
-std::optional<Touch> touchPlane(const Obstacle& obstacle, const Vec3& position, const Vec3& to)
-{
-    const double height = (to - position).dot(obstacle.normal) - obstacle.thickness;
-    if (height >= 0.0)
-        return std::nullopt;
-    return Touch{to - height * obstacle.normal, obstacle.normal};
-}
-
-std::optional<Touch> touch(const Obstacle& obstacle, const PlacedObstacle& placed,
-                           const Passage& passage, bool inside)
-{
-    const Vec3& position = placed.position;
-    if (obstacle.shape == ColliderShape::Plane)
-        return touchPlane(obstacle, position, passage.to);
-    const ShapeRow& row = rowOf(obstacle.shape);
-    const Vec3 from = passage.from - position, to = passage.to - position;
-    const Eigen::Matrix3d& turn = obstacle.turn;
-    const bool turns = row.uses.turn;
-    std::optional<Touch> touch =
-        turns ? row.touch(placed.solid, turn.transpose() * from, turn.transpose() * to, inside)
-              : row.touch(placed.solid, from, to, inside);
-    if (touch && turns)
-        touch = Touch{turn * touch->surface, turn * touch->normal};
-    if (touch)
-        touch->surface += position;
-    return touch;
-}
 
 struct Rebound
 {
@@ -104,15 +71,16 @@ struct ContactWork
     double h;         // s
     double restSpeed; // m/s
     bool planesOnly;
-    std::span<std::uint32_t> touches; // [particles]
+    std::span<std::uint32_t> touches;   // [particles]
+    std::span<const std::uint8_t> held; // [particles] or empty
 };
 
 // Goes over the obstacles in their order, as one may push a particle into the next. A particle is
 // looked at only if it may have touched one of them.
 void resolveContact(const ContactWork& work, std::size_t i)
 {
-    const auto& [system, state, before, placed, h, restSpeed, planesOnly, touches] = work;
-    if (system.inverseMass[i] == 0.0)
+    const auto& [system, state, before, placed, h, restSpeed, planesOnly, touches, held] = work;
+    if (system.inverseMass[i] == 0.0 || (!held.empty() && held[i] != 0))
         return;
     const bool verlet = system.integrator == Integrator::Verlet;
     const bool inside = state.substep % lookInsideEvery == 0;
@@ -120,7 +88,8 @@ void resolveContact(const ContactWork& work, std::size_t i)
     for (std::size_t o = 0; o < placed.size(); ++o) {
         const Obstacle& obstacle = system.obstacles[o];
         const Vec3 start = before[i] + placed[o].way; // as if the obstacle had been there already
-        std::optional<Touch> found = touch(obstacle, placed[o], {start, state.position[i]}, inside);
+        std::optional<Touch> found =
+            touched(obstacle, placed[o], {start, state.position[i]}, inside);
         if (found && guided)
             found = touchOnGuide(*guided, *found, state.position[i]);
         if (!found)
@@ -152,15 +121,16 @@ namespace ripstop {
 
 void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
                      std::span<const PlacedObstacle> placed, double h, ThreadPool& pool,
-                     std::span<std::uint32_t> touches)
+                     std::span<std::uint32_t> touches, std::span<const std::uint8_t> held)
 {
     if (system.obstacles.empty())
         return;
     const bool planesOnly =
         std::all_of(system.obstacles.begin(), system.obstacles.end(),
                     [](const Obstacle& o) { return o.shape == ColliderShape::Plane; });
-    const ContactWork work = {
-        system, state, before, placed, h, 2.0 * system.gravity.norm() * h, planesOnly, touches};
+    const ContactWork work = {system,     state,   before,
+                              placed,     h,       2.0 * system.gravity.norm() * h,
+                              planesOnly, touches, held};
     pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
         (wideMachine ? wide::findContacts : anywhere::findContacts)(work, first, last);
     });

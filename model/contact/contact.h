@@ -26,9 +26,10 @@ namespace ripstop {
 //   before  [particles]  m, position at the start of the substep
 //   placed  [obstacles]  after endMoves()
 //   touches [particles]  adds touchOf() of each obstacle that was met
+//   held    [particles]  1 where the solver of the rods has done all that (surface_search.h)
 void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
                      std::span<const PlacedObstacle> placed, double h, ThreadPool& pool,
-                     std::span<std::uint32_t> touches);
+                     std::span<std::uint32_t> touches, std::span<const std::uint8_t> held = {});
 
 // The bit of an obstacle in `touches`: one for each of the first 32, 0 for those after them.
 constexpr std::uint32_t touchOf(std::size_t obstacle)

@@ -9,6 +9,7 @@
 #include "base/portable_math.h"
 #include "constraints/guides.h"
 #include "contact/contact.h"
+#include "contact/surface_search.h"
 #include "forces/gusts.h"
 #include "step/inputs.h"
 #include "step/particle_motion.h"
@@ -123,6 +124,7 @@ void Stepper::prepare(const System& system, State& state)
     if (m_integrator == Integrator::Auto)
         m_integrator =
             system.solver == Solver::Auto ? m_plan.integrator : Integrator::SemiImplicitEuler;
+    m_held.resize(solvesContact(system) ? state.position.size() : 0);
     m_implicit.resize(dampsImplicitly(system) ? state.position.size() : 0);
     m_tearsByForce =
         std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
@@ -159,6 +161,16 @@ bool Stepper::dampsImplicitly(const System& system) const
 {
     return system.solver == Solver::Auto && m_plan.together && isImplicit(m_integrator)
            && system.airDensity > 0.0;
+}
+
+// Whether obstacles are solved together with rods: where all rods are, by an integrator that moves
+// particles to where rods put them.
+bool Stepper::solvesContact(const System& system) const
+{
+    const bool together =
+        system.solver == Solver::Direct || (system.solver == Solver::Auto && m_plan.together);
+    return together && !system.obstacles.empty()
+           && (isImplicit(m_integrator) || m_integrator == Integrator::SemiImplicitEuler);
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
@@ -200,6 +212,8 @@ void Stepper::substep(RodTask& task, State& state, double h)
         force->advance(system, state, h);
         m_clock.lap(stageOf(force->kind()));
     }
+    if (solvesContact(system))
+        m_came = state.velocity;
     if (isBdf2)
         move(ParticlePass::Foresee, system, state, h);
     fillAccelerations(system, state, h);
@@ -216,6 +230,9 @@ void Stepper::substep(RodTask& task, State& state, double h)
     m_clock.lap(StepStage::Motion);
     noteRodLengths(system, state);
     m_clock.lap(StepStage::Tearing);
+    const SurfaceSearch search(system, m_before, m_came, m_placed, h);
+    if (solvesContact(system))
+        task.contacts = &search;
     project(task, state, h);
     m_clock.lap(StepStage::Rods);
     const bool impact = isBdf2 && m_rods.hasImpact();
@@ -232,7 +249,9 @@ void Stepper::substep(RodTask& task, State& state, double h)
         m_watch->beforeContact(system, state);
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
-    resolveContacts(system, state, m_before, m_placed, h, m_pool, m_touches);
+    if (solvesContact(system))
+        followHeldContacts(system, state, m_rods.contacts(), m_placed, h, m_held, m_touches);
+    resolveContacts(system, state, m_before, m_placed, h, m_pool, m_touches, m_held);
     if (m_watch)
         m_watch->afterContact(system, state);
     keepOnGuides(system, m_before, state);

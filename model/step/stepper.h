@@ -55,6 +55,9 @@ public:
     // Which obstacles each particle met in the last step, as touchOf() has it; empty without any.
     std::span<const std::uint32_t> touches() const { return m_touches; }
 
+    // Contacts with obstacles that were solved together with rods in the last substep.
+    std::span<const HeldContact> contacts() const { return m_rods.contacts(); }
+
     // Of the last step.
     const StepAccuracy& accuracy() const { return m_accuracy; }
 
@@ -77,6 +80,7 @@ private:
     int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
     bool dampsImplicitly(const System& system) const;
+    bool solvesContact(const System& system) const;
     void dampImplicitly(const System& system, const State& state, double reach,
                         std::span<const PaddedVec3> now, bool drifts);
     void beginAnew(RodTask& task, State& state, double h);
@@ -103,14 +107,16 @@ private:
     std::vector<PaddedVec3> m_scratch;      // [particles] of particle_motion.h
     std::vector<PaddedVec3> m_stage[3];     // [particles] of takeMeans(), or empty
     std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
-    std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
-    std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
-    std::span<const double> m_heldLength;   // [rods] m, the same as they are damped
-    double m_reach = 0.0;                   // s, of the last substep
-    std::vector<double> m_rodLength;        // [rods] m, before projection
-    mutable Damping m_damping;              // of forces
-    std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
-    TearScratch m_tearing;                  // with room for all that may tear
+    std::vector<std::uint8_t> m_held;       // [particles] of followHeldContacts(), or empty
+    std::vector<PaddedVec3> m_came;       // [particles] m/s, at the start of the substep, or empty
+    std::vector<std::uint32_t> m_touches; // [particles] in this step, or empty
+    std::vector<double> m_restLength;     // [rods] m, with the weight shifts of now
+    std::span<const double> m_heldLength; // [rods] m, the same as they are damped
+    double m_reach = 0.0;                 // s, of the last substep
+    std::vector<double> m_rodLength;      // [rods] m, before projection
+    mutable Damping m_damping;            // of forces
+    std::vector<PaddedVec3> m_implicit;   // [particles] m/s^2, of dampImplicitly(), or empty
+    TearScratch m_tearing;                // with room for all that may tear
     int m_refinement = 1;
     std::size_t m_tears = 0;    // before this time step
     std::uint64_t m_serial = 0; // of the system that m_restLength is of
