@@ -1,6 +1,6 @@
 // An iteration goes over the contacts three times: decide() says which act, and whether they stick,
-// as the matrix is filled; foresee() takes what the linear system gave them; follow() asks where the
-// surfaces are after the move.
+// as the matrix is filled; foresee() takes what the linear system gave them; follow() asks where
+// the surfaces are after the move.
 #include "constraints/held_contacts.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double unseen = 1e-4;        // of the inverse mass: the softness of a surface
 constexpr double nearEnough = 1e-7;    // m
-constexpr double turnsBack = 1e-9; // m, of what slides, that is as good as rest
+constexpr double turnsBack = 1e-9;     // m, of what slides, that is as good as rest
 constexpr double nearlySlides = 0.005; // of what friction can take
 constexpr int mostTurns = 1;
 constexpr std::size_t surfacesEach = 2;
@@ -43,7 +43,7 @@ double HeldContact::miss() const
     return std::abs(depth - softness * multiplier) + std::max(-multiplier, 0.0) * inverseMass;
 }
 
-void HeldContacts::reserve(std::size_t nodes) 
+void HeldContacts::reserve(std::size_t nodes)
 {
     m_contacts.clear();
     m_contacts.reserve(surfacesEach * nodes);
@@ -59,8 +59,8 @@ void HeldContacts::take(HeldContact& contact, double mass, const Vec3& guess)
     measureAt(contact, guess);
     contact.multiplier = contact.before = mass * std::max(contact.depth, 0.0);
     contact.rub = -mass * contact.slip;
-    contact.sticks = contact.rub.norm() <= contact.friction * contact.multiplier
-                     || contact.multiplier == 0.0;
+    contact.sticks =
+        contact.rub.norm() <= contact.friction * contact.multiplier || contact.multiplier == 0.0;
     if (contact.multiplier == 0.0)
         contact.rub.setZero();
     contact.against = contact.sticks ? Vec3::Zero() : contact.slip.normalized();
@@ -156,8 +156,8 @@ Vec3 HeldContacts::pullOf(const HeldContact& contact)
     const Vec3 push = stiff * contact.depth * contact.normal;
     if (contact.friction == 0.0)
         return push;
-    return push - (contact.sticks ? Vec3(stiff * contact.slip)
-                                  : Vec3(contact.most * contact.against));
+    return push
+           - (contact.sticks ? Vec3(stiff * contact.slip) : Vec3(contact.most * contact.against));
 }
 
 void HeldContacts::foresee(std::span<const Row> move)
@@ -209,8 +209,7 @@ double HeldContacts::energyAt(std::span<const Row> position) const
 {
     double twice = 0.0;
     for (const HeldContact& contact : m_contacts) {
-        const double depth =
-            (contact.surface - at(position, contact.row)).dot(contact.normal);
+        const double depth = (contact.surface - at(position, contact.row)).dot(contact.normal);
         if (depth > 0.0)
             twice += depth * depth / contact.softness;
     }
@@ -231,7 +230,7 @@ bool HeldContacts::isSettled(double accuracy, int iteration) const
         all += contact.multiplier * contact.multiplier;
         const double wrong = contact.sticks ? std::max(rub - may, 0.0)
                              : contact.slip.dot(contact.against) < -turnsBack ? rub
-                                                                        : std::abs(rub - may);
+                                                                              : std::abs(rub - may);
         off += wrong * wrong;
     }
     return off <= accuracy * accuracy * all;

@@ -44,19 +44,19 @@ struct HeldContact
     double friction = 0.0;       // 1, of impulses, so that what bounces back counts
     double inward = 0.0;         // m/s, at which the particle came, or 0 where it was at rest
 
-    double inverseMass = 0.0;  // 1/kg
-    double softness = 0.0;     // 1/kg, s above
-    bool acts = false;         // in this iteration
-    bool sticks = true;        // if it acts
-    int turns = 0;      // how often it has slid and come to rest
-    double share = 1.0; // of friction, where it neither slides nor sticks for long
-    double depth = 0.0;        // m, below the plane
-    Vec3 slip = Vec3::Zero();  // m, u above
-    double multiplier = 0.0;   // kg m, that the linear system gave
-    double before = 0.0;       // kg m, of the iteration before
-    double most = 0.0;         // kg m, what friction may take in this iteration
+    double inverseMass = 0.0;    // 1/kg
+    double softness = 0.0;       // 1/kg, s above
+    bool acts = false;           // in this iteration
+    bool sticks = true;          // if it acts
+    int turns = 0;               // how often it has slid and come to rest
+    double share = 1.0;          // of friction, where it neither slides nor sticks for long
+    double depth = 0.0;          // m, below the plane
+    Vec3 slip = Vec3::Zero();    // m, u above
+    double multiplier = 0.0;     // kg m, that the linear system gave
+    double before = 0.0;         // kg m, of the iteration before
+    double most = 0.0;           // kg m, what friction may take in this iteration
     Vec3 against = Vec3::Zero(); // unit, the way that it slides in this iteration
-    Vec3 rub = Vec3::Zero();   // kg m, friction that the linear system gave
+    Vec3 rub = Vec3::Zero();     // kg m, friction that the linear system gave
 
     bool holds() const { return isNear && acts && multiplier > 0.0; }
     // How far it is from where it belongs, m.
@@ -70,8 +70,8 @@ public:
     virtual ~ContactSearch() = default;
 
     // Looks again at the contacts that there are, and adds those of particles that are near a
-    // surface, or went through one, and have none with it; no more than fit in. In the order of rows,
-    // then of obstacles.
+    // surface, or went through one, and have none with it; no more than fit in. In the order of
+    // rows, then of obstacles.
     //   particle  [rows]
     //   position  [rows]  m
     virtual void find(std::span<const int> particle, std::span<const Row> position,
@@ -112,7 +112,7 @@ public:
     void settle(double share); // what of the move was foreseen
 
     void measure(std::span<const Row> position);
-    double energy() const; // twice, kg m^2, of those that act
+    double energy() const;                                // twice, kg m^2, of those that act
     double energyAt(std::span<const Row> position) const; // that, of normal pushes alone
 
     // After measure(): whether all contacts are where the linear system put them, and friction is

@@ -1,5 +1,5 @@
-// Planes are compared by height; other shapes are asked in their own frames. A reach is a margin that
-// is added to the shape, and taken from the surface that is found.
+// Planes are compared by height; other shapes are asked in their own frames. A reach is a margin
+// that is added to the shape, and taken from the surface that is found.
 #include "contact/obstacle_touch.h"
 
 #include "shapes/triangle_tree.h"
@@ -61,8 +61,7 @@ std::optional<Touch> surfaceNear(const Obstacle& obstacle, const PlacedObstacle&
         return touchPlane(obstacle, placed.position, passage.to, reach);
     Solid solid = placed.solid;
     solid.margin += reach;
-    std::optional<Touch> touch =
-        touchSolid(obstacle, placed.position, passage, solid, false);
+    std::optional<Touch> touch = touchSolid(obstacle, placed.position, passage, solid, false);
     if (touch)
         touch->surface -= added(placed.solid, reach) * touch->normal;
     return touch;

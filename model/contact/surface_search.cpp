@@ -1,6 +1,6 @@
-// find() goes over the particles in their order, so that the contacts are the same at every number of
-// threads. What is near a surface is taken in before it touches: whether it pushes is the solver's to
-// find out.
+// find() goes over the particles in their order, so that the contacts are the same at every number
+// of threads. What is near a surface is taken in before it touches: whether it pushes is the
+// solver's to find out.
 #include "contact/surface_search.h"
 
 #include "constraints/guides.h"
@@ -83,12 +83,10 @@ void SurfaceSearch::find(std::span<const int> particle, std::span<const Row> pos
             return false;
         };
         for (std::size_t o = 0; o < m_placed.size(); ++o) {
-            if (!mayMeet(m_system.obstacles[o], m_placed[o], m_before[p], to, m_reach)
-                || isKnown(o) || guideOf(m_system, int(p))
-                || contacts.size() == contacts.capacity())
+            if (!mayMeet(m_system.obstacles[o], m_placed[o], m_before[p], to, m_reach) || isKnown(o)
+                || guideOf(m_system, int(p)) || contacts.size() == contacts.capacity())
                 continue;
-            if (const HeldContact contact = contactOf(std::uint32_t(row), p, o, to);
-                contact.isNear)
+            if (const HeldContact contact = contactOf(std::uint32_t(row), p, o, to); contact.isNear)
                 contacts.push_back(contact);
         }
     }
@@ -113,8 +111,8 @@ HeldContact SurfaceSearch::contactOf(std::uint32_t row, std::size_t particle, st
     const double inward = -(m_velocity[particle] - pace).dot(contact.normal);
     contact.start = m_before[particle] + m_placed[o].way;
     contact.inward = inward > m_restSpeed ? inward : 0.0;
-    contact.friction = frictionOf(obstacle)
-                       * (contact.inward > 0.0 ? 1.0 + restitutionOf(obstacle) : 1.0);
+    contact.friction =
+        frictionOf(obstacle) * (contact.inward > 0.0 ? 1.0 + restitutionOf(obstacle) : 1.0);
     return contact;
 }
 
@@ -122,8 +120,7 @@ void SurfaceSearch::look(HeldContact& contact, const Vec3& place) const
 {
     const auto o = std::size_t(contact.obstacle);
     const Vec3 start = m_before[std::size_t(contact.particle)] + m_placed[o].way;
-    const auto touch =
-        surfaceNear(m_system.obstacles[o], m_placed[o], {start, place}, m_reach);
+    const auto touch = surfaceNear(m_system.obstacles[o], m_placed[o], {start, place}, m_reach);
     contact.isNear = touch.has_value();
     if (touch) {
         contact.surface = touch->surface;
@@ -143,7 +140,8 @@ void followHeldContacts(const System& system, State& state, std::span<const Held
         const auto o = std::size_t(contact.obstacle);
         const Vec3& n = contact.normal;
         const double depth = (contact.surface - state.position[p]).dot(n);
-        if (contact.isNear && (depth > settled || contact.miss() > settled))
+        if (depth > contact.depth + settled
+            || contact.miss() > settled) // moved since, or not found
             held[p] = 0;
         if (!contact.holds())
             continue;
