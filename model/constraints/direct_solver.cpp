@@ -169,7 +169,23 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     });
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
-    m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_guess);
+    std::copy_n(m_position.begin(), nodes(), m_from.begin());
+    if (task.contacts && m_panels.empty() && m_bends.empty()) // pulls of rods as they were press on
+        for (const Bar& bar : m_bars) {
+            const Vec3 way = task.before[std::size_t(m_particle[bar.b])]
+                             - task.before[std::size_t(m_particle[bar.a])];
+            const double length = way.norm();
+            if (bar.torn || length == 0.0)
+                continue;
+            const Vec3 pull = pullOf(bar) / length * way; // kg m
+            for (int c = 0; c < 3; ++c) {
+                if (bar.a < nodes())
+                    m_from[bar.a].v[c] += pull[c] / m_mass[bar.a];
+                if (bar.b < nodes())
+                    m_from[bar.b].v[c] -= pull[c] / m_mass[bar.b];
+            }
+        }
+    m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_from);
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();
     if ((m_iterates || !m_panels.empty()) && !task.before.empty())
@@ -180,6 +196,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     m_pulls += m_panels.energy();
     m_tripleErrors = 0.0;
     int taken = 0;
+    double share = 1.0; // of the last move
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
         const double before = assemble(system, pool);
@@ -190,13 +207,19 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         near = arrival.worst < tolerance
                && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(pulls())
                && m_contacts.isSettled(leftByNewton * m_accuracy, taken);
-        double share = 1.0;
+        share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
             go(share *= 0.5, system, pool);
         if (share < 1.0)
             takeShare(share, system);
         near &= m_contacts.follow(rowsThatMove(), m_mass, m_position);
     }
+
+    if (share < 1.0 && !m_contacts.empty()) // the balance of contacts was not found
+        for (const Bar& bar : m_bars) {
+            const double left = (1.0 / share - 1.0) * (bar.multiplier - bar.before);
+            m_tripleErrors += bar.isElastic ? bar.softness * left * left : 0.0;
+        }
 
     m_residual = 0.0;
     if (pulls() > 0.0) {

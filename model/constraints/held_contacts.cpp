@@ -218,7 +218,7 @@ double HeldContacts::energyAt(std::span<const Row> position) const
 
 bool HeldContacts::isSettled(double accuracy, int iteration) const
 {
-    constexpr int enoughForFriction = 10;
+    constexpr int enoughForFriction = 16;
     double off = 0.0, all = 0.0; // kg^2 m^2
     for (const HeldContact& contact : m_contacts) {
         if (contact.miss() > nearEnough)

@@ -59,6 +59,8 @@ struct HeldContact
     Vec3 rub = Vec3::Zero();     // kg m, friction that the linear system gave
 
     bool holds() const { return isNear && acts && multiplier > 0.0; }
+    // Normal push and friction, kg m.
+    Vec3 push() const { return holds() ? Vec3(multiplier * normal + rub) : Vec3(Vec3::Zero()); }
     // How far it is from where it belongs, m.
     double miss() const;
 };

@@ -90,6 +90,13 @@ void EnergyLedger::afterContact(const System& system, const State& state)
         m_contact[i] = system.mass[i] * (state.velocity[i] - m_beforeContact[i]);
 }
 
+// What was solved is no change of velocity that contact makes afterwards.
+void EnergyLedger::afterSolve(std::span<const HeldContact> contacts, double reach)
+{
+    for (const HeldContact& contact : contacts)
+        m_contact[std::size_t(contact.particle)] += contact.push() / reach;
+}
+
 void EnergyLedger::afterSubstep(const System& system, const State& state, double h)
 {
     look(system, state, m_after);

@@ -37,6 +37,7 @@ public:
 
     void beforeContact(const System& system, const State& state) override;
     void afterContact(const System& system, const State& state) override;
+    void afterSolve(std::span<const HeldContact> contacts, double reach) override;
     void afterSubstep(const System& system, const State& state, double h) override;
 
 private:

@@ -252,8 +252,10 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (solvesContact(system))
         followHeldContacts(system, state, m_rods.contacts(), m_placed, h, m_held, m_touches);
     resolveContacts(system, state, m_before, m_placed, h, m_pool, m_touches, m_held);
-    if (m_watch)
+    if (m_watch) {
         m_watch->afterContact(system, state);
+        m_watch->afterSolve(m_rods.contacts(), task.h);
+    }
     keepOnGuides(system, m_before, state);
     if (isBdf2)
         move(ParticlePass::FollowContact, system, state, h);

@@ -28,6 +28,9 @@ public:
     virtual ~SubstepWatch() = default;
     virtual void beforeContact(const System& system, const State& state) = 0;
     virtual void afterContact(const System& system, const State& state) = 0;
+    // Contacts that were solved together with rods, before velocities follow; `reach` as
+    // RodTask::h.
+    virtual void afterSolve(std::span<const HeldContact> contacts, double reach) = 0;
     virtual void afterSubstep(const System& system, const State& state, double h) = 0; // h in s
 };
 
@@ -57,6 +60,9 @@ public:
 
     // Contacts with obstacles that were solved together with rods in the last substep.
     std::span<const HeldContact> contacts() const { return m_rods.contacts(); }
+
+    // What such a contact pushes and rubs its particle with, N.
+    Vec3 forceOf(const HeldContact& contact) const { return contact.push() / (m_reach * m_reach); }
 
     // Of the last step.
     const StepAccuracy& accuracy() const { return m_accuracy; }

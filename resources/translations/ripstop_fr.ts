@@ -9752,6 +9752,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>A loose sheet of 0.75 oz ripstop falls over a ball and stays on it. Ball and ground are solved together with the cloth, so that it is as stiff as it says. Tune the friction of the ball, 0 to 0.6: on a smooth one it slides off.</source>
+        <translation>Une toile libre de ripstop de 0,75 oz tombe sur une boule et y reste. La boule et le sol sont résolus avec la toile, qui est donc aussi raide qu’il est dit. Réglez le frottement de la boule, de 0 à 0,6 : d’une boule lisse, elle glisse.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A mesh for each frame; tears part it.</source>
         <translation>Un maillage par image ; les déchirures le séparent.</translation>
     </message>
@@ -13414,6 +13419,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Ripstop kite</source>
         <translation>Cerf-volant en ripstop</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ripstop over a ball</source>
+        <translation>Ripstop sur une boule</translation>
     </message>
     <message>
         <location filename="tables"/>
