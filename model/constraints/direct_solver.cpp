@@ -169,22 +169,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     });
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
-    std::copy_n(m_position.begin(), nodes(), m_from.begin());
-    if (task.contacts && m_panels.empty() && m_bends.empty()) // pulls of rods as they were press on
-        for (const Bar& bar : m_bars) {
-            const Vec3 way = task.before[std::size_t(m_particle[bar.b])]
-                             - task.before[std::size_t(m_particle[bar.a])];
-            const double length = way.norm();
-            if (bar.torn || length == 0.0)
-                continue;
-            const Vec3 pull = pullOf(bar) / length * way; // kg m
-            for (int c = 0; c < 3; ++c) {
-                if (bar.a < nodes())
-                    m_from[bar.a].v[c] += pull[c] / m_mass[bar.a];
-                if (bar.b < nodes())
-                    m_from[bar.b].v[c] -= pull[c] / m_mass[bar.b];
-            }
-        }
+    guessPushes(task);
     m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_from);
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();
@@ -216,10 +201,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     }
 
     if (share < 1.0 && !m_contacts.empty()) // the balance of contacts was not found
-        for (const Bar& bar : m_bars) {
-            const double left = (1.0 / share - 1.0) * (bar.multiplier - bar.before);
-            m_tripleErrors += bar.isElastic ? bar.softness * left * left : 0.0;
-        }
+        m_tripleErrors += energyLeft(share);
 
     m_residual = 0.0;
     if (pulls() > 0.0) {
@@ -237,6 +219,43 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
             multiplier[std::size_t(bar.rod)] = pullOf(bar);
     });
     return taken;
+}
+
+// Where particles would be in m_from, for the first look at obstacles: pulls of rods are taken as
+// they were, since a heavy load on a light rope presses it on by many times its own weight. Panels
+// are light and pull little for their masses.
+void DirectSolver::guessPushes(const RodTask& task)
+{
+    std::copy_n(m_position.begin(), nodes(), m_from.begin());
+    if (!task.contacts || !m_panels.empty() || !m_bends.empty())
+        return;
+    const auto before = [&](std::uint32_t row) -> const Vec3& {
+        return task.before[std::size_t(m_particle[row])];
+    };
+    for (const Bar& bar : m_bars) {
+        const Vec3 way = before(bar.b) - before(bar.a);
+        const double length = way.norm();
+        if (bar.torn || length == 0.0)
+            continue;
+        const Vec3 pull = pullOf(bar) / length * way; // kg m
+        for (int c = 0; c < 3; ++c) {
+            if (bar.a < nodes())
+                m_from[bar.a].v[c] += pull[c] / m_mass[bar.a];
+            if (bar.b < nodes())
+                m_from[bar.b].v[c] -= pull[c] / m_mass[bar.b];
+        }
+    }
+}
+
+// Twice the energy of the pulls that a move has left which went only so far, kg m^2.
+double DirectSolver::energyLeft(double share) const
+{
+    double twice = 0.0;
+    for (const Bar& bar : m_bars) {
+        const double left = (1.0 / share - 1.0) * (bar.multiplier - bar.before);
+        twice += bar.isElastic ? bar.softness * left * left : 0.0;
+    }
+    return twice;
 }
 
 // Of a move that went only part of its way.

@@ -166,6 +166,8 @@ private:
     void keepCenters();
     void keepDraggedCenters();
     void leaveHeldIslands();
+    void guessPushes(const RodTask& task);
+    double energyLeft(double share) const;
     std::span<const int> rowsThatMove() const { return {m_particle.data(), nodes()}; }
     void takeDamping(const RodTask& task);
     void addOnGuides(const Bar& bar);

@@ -6,8 +6,9 @@
 //     d^2 / (2 s)      where d > 0
 //
 // to the sum that is minimised, s being so little that no eye sees d: a particle at rest sinks by a
-// millionth of what it would fall in the substep. Which contacts act is decided anew in each
-// iteration, by multiplier and depth as for lines that go slack (bar.h), so that none ever pulls;
+// ten-thousandth of what it would fall in the substep. Which contacts act is decided anew in each
+// iteration: at first by what would press the particle on without rods, then by its depth, so that
+// none ever pulls;
 // the multiplier over the square of the substep is the normal force.
 //
 // Friction is Coulomb's, with the way u along the surface in this substep: a particle sticks, as if

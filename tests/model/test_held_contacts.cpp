@@ -5,10 +5,10 @@
 // over a cylinder; a chain of which a part lies on the ground; what a wall that moves takes along;
 // an impact; and the same bits on more threads.
 #include "assembly/finish.h"
+#include "measure/diagnostics.h"
 #include "model/obstacles.h"
 #include "model/systems.h"
 #include "registered_test.h"
-#include "measure/diagnostics.h"
 
 #include <QtTest>
 
@@ -182,9 +182,9 @@ private slots:
         QTest::newRow("more than friction bears") << 1.03 << false;
     }
 
-    // A rope over half of a cylinder holds weights up to the ratio exp(mu pi) (Euler 1762, Eytelwein
-    // 1808), and where it slips, that is the ratio of its pulls. An inscribed rope turns by less than
-    // the surface at its first and its last touch, which takes up to 1 % from it.
+    // A rope over half of a cylinder holds weights up to the ratio exp(mu pi) (Euler 1762,
+    // Eytelwein 1808), and where it slips, that is the ratio of its pulls. An inscribed rope turns
+    // by less than the surface at its first and its last touch, which takes up to 1 % from it.
     void capstan()
     {
         QFETCH(double, ratio);
