@@ -4,6 +4,7 @@
 
 #include "dialogs/beside.h"
 #include "document/document.h"
+#include "document/recordings.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "io/design_file.h"
@@ -107,7 +108,7 @@ bool DesignDifferenceDialog::compareWith(const QString& file)
         m_list->clear();
         m_verdict->setText(tr("There is nothing to compare with."));
         m_with->setText(translated(scene.message()));
-        m_viewport.showGhost(nullptr);
+        m_viewport.showGhosts({});
         return false;
     }
     m_file = file;
@@ -170,7 +171,8 @@ void DesignDifferenceDialog::showGhost()
 {
     // two that are the same would only flicker in each other
     const bool shown = isVisible() && m_ghost->isChecked() && !m_differences.empty();
-    m_viewport.showGhost(shown ? sceneFrame(m_other) : nullptr);
+    m_viewport.showGhosts(shown ? std::vector{GhostFrame{sceneFrame(m_other), {}}}
+                                : std::vector<GhostFrame>());
 }
 
 void DesignDifferenceDialog::select(int row)
@@ -200,7 +202,7 @@ void DesignDifferenceDialog::showEvent(QShowEvent* event)
 void DesignDifferenceDialog::hideEvent(QHideEvent* event)
 {
     m_soon.stop();
-    m_viewport.showGhost(nullptr);
+    m_viewport.showGhosts({});
     QDialog::hideEvent(event);
 }
 

@@ -8,6 +8,7 @@
 #include "plots/curve_color.h"
 #include "plots/xy_chart.h"
 #include "study/narrow_box.h"
+#include "study/shown_value.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -122,7 +123,8 @@ void FlightCurves::draw()
             curve.y = read.value[std::size_t(probe())];
         }
     }
-    m_chart->show(tr("time (s)"), m_probe->currentText(), curves);
+    m_chart->show({tr("time"), QStringLiteral("s")}, wordsOfHeading(m_probe->currentText()),
+                  curves);
     mark(m_marked);
 }
 

@@ -3,6 +3,7 @@
 
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
+#include "study/shown_value.h"
 
 #include <QEvent>
 #include <qcustomplot.h>
@@ -23,6 +24,8 @@ QVector<double> one(std::vector<double> numbers) { return {numbers.begin(), numb
 PercentileChart::PercentileChart(QWidget* parent)
     : QWidget(parent)
     , m_plot(makePlot(*this))
+    , m_x(new SpokenAxis(*m_plot->xAxis))
+    , m_y(new SpokenAxis(*m_plot->yAxis))
 {
     for (QCPGraph*& line : m_lines)
         line = m_plot->addGraph();
@@ -58,22 +61,20 @@ void PercentileChart::show(const StudyColumn& variable, const StudyColumn& readi
     m_bands = bandsOf(variable, reading, flights);
     m_hasBands =
         std::ranges::any_of(m_bands, [](const StudyBand& band) { return band.counted > 1; });
-    m_plot->xAxis->setLabel(QString::fromStdString(variable.title));
-    m_plot->yAxis->setLabel(QString::fromStdString(reading.title));
+    m_x->say(wordsOfHeading(QString::fromStdString(variable.title)));
+    m_y->say(wordsOfHeading(QString::fromStdString(reading.title)));
     fitAxes(variable, reading);
     draw();
 }
 
 void PercentileChart::fitAxes(const StudyColumn& variable, const StudyColumn& reading)
 {
-    setLogarithmic(*m_plot->xAxis, variable.isLogarithmic);
+    m_x->setLogarithmic(variable.isLogarithmic);
     if (!variable.labels.empty()) {
         const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
         for (std::size_t i = 0; i < variable.labels.size(); ++i)
             names->addTick(double(i), QString::fromStdString(variable.labels[i]));
         m_plot->xAxis->setTicker(names);
-    } else if (!variable.isLogarithmic) {
-        m_plot->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
     }
     if (const auto span = spanOf(variable.value))
         m_plot->xAxis->setRange(variable.isLogarithmic

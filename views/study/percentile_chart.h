@@ -14,6 +14,8 @@ class QCustomPlot;
 
 namespace ripstop {
 
+class SpokenAxis;
+
 class PercentileChart final : public QWidget
 {
     Q_OBJECT
@@ -42,6 +44,8 @@ private:
     std::vector<StudyBand> m_bands;
     bool m_hasBands = false;
     QCustomPlot* m_plot;
+    SpokenAxis* m_x;
+    SpokenAxis* m_y;
     std::array<QCPGraph*, bandPercents.size()> m_lines{}; // [percentiles]
     QCPGraph* m_failed;
 };

@@ -36,6 +36,16 @@ bool isLogarithmic(const StudyColumn& column)
     return column.isLogarithmic && span && span->least > 0.0;
 }
 
+// A spoken axis would write its own title, which has no room here.
+void giveScale(QCPAxis& axis, bool isLogarithmic)
+{
+    axis.setScaleType(isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    const QSharedPointer<QCPAxisTicker> ticker(isLogarithmic ? new QCPAxisTickerLog
+                                                             : new QCPAxisTicker);
+    ticker->setTickCount(4);
+    axis.setTicker(ticker);
+}
+
 } // namespace
 
 ScatterMatrix::ScatterMatrix(QWidget* parent)
@@ -133,8 +143,8 @@ void ScatterMatrix::fillCell(const Cell& cell)
     const StudyColumn& ys = (*m_columns)[cell.y];
     QCPAxis& across = *cell.rect->axis(QCPAxis::atBottom);
     QCPAxis& upwards = *cell.rect->axis(QCPAxis::atLeft);
-    setLogarithmic(across, isLogarithmic(xs));
-    setLogarithmic(upwards, isLogarithmic(ys));
+    giveScale(across, isLogarithmic(xs));
+    giveScale(upwards, isLogarithmic(ys));
     across.setRange(rangeOf(xs));
     upwards.setRange(rangeOf(ys));
     const auto place = [](const QCPAxis& axis, double value) {

@@ -101,8 +101,8 @@ private:
     QString m_file;
     bool m_isEdited = false; // since it was written
     bool m_fliesOnceOpen = false;
-    QElapsedTimer m_sinceRefresh; // not valid: the next one is due
-    qint64 m_refreshTime = 0;     // ms, that the last one took
+    QElapsedTimer m_sinceRefresh;          // not valid: the next one is due
+    qint64 m_refreshTime = 0;              // ms, that the last one took
     std::unique_ptr<StudyRunner> m_runner; // last: it ends before what hears of it
 };
 
