@@ -14,8 +14,8 @@ struct PanelPull
     double strain = 0.0;  // 1, the largest of its threads; 0 where it is slack
     double tension = 0.0; // N/m, the largest principal one; negative where it pushes all around
     double warp = 0.0;    // N/m, that the warp threads carry; shear is in neither
-    double weft = 0.0;    // All three are per width of the flat cloth, as a tensile test has it: the
-                          // tension of laws/cloth_law.h times the stretch along it.
+    double weft = 0.0; // All three are per width of the flat cloth, as a tensile test has it: the
+                       // tension of laws/cloth_law.h times the stretch along it.
     double warpStrain = 0.0; // 1, by which these threads are longer than at rest
     double weftStrain = 0.0;
 

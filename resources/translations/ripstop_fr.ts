@@ -24,11 +24,6 @@
         <translation>%1 importé. Fixer ce qui doit être tenu : rien ne le tient encore.</translation>
     </message>
     <message>
-        <location filename="arrivals.cpp"/>
-        <source>untitled</source>
-        <translation>sans titre</translation>
-    </message>
-    <message>
         <location filename="assimp_mesh.cpp"/>
         <source>The mesh cannot be written: %1</source>
         <translation>Le maillage ne peut pas être écrit : %1</translation>
@@ -1482,6 +1477,11 @@
         <location filename="dock_table.cpp"/>
         <source>Tuning</source>
         <translation>Mise au point</translation>
+    </message>
+    <message>
+        <location filename="document.cpp"/>
+        <source>untitled</source>
+        <translation>sans titre</translation>
     </message>
     <message>
         <location filename="draw_bar.cpp"/>
@@ -4343,6 +4343,26 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_panel.cpp"/>
         <source>Click a place to select it and bring it to the middle of the view.</source>
         <translation>Cliquer un endroit pour le sélectionner et l’amener au milieu de la vue.</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Let it tear</source>
+        <translation>Laisser déchirer</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Let it tear by its strength</source>
+        <translation>Laisser déchirer à sa résistance</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Lets these materials tear by strength: cloth, lines and spars then break where their margin is 1.</source>
+        <translation>Laisse ces matériaux se déchirer à leur résistance : tissu, lignes et espars rompent alors où leur marge vaut 1.</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Never tears: %1. %2</source>
+        <translation>Ne se déchire jamais : %1. %2</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -10247,6 +10267,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Bending moment</source>
+        <translation>Moment de flexion</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Bending moment at which a spar snaps, or yields for good; spars snap by it where the material tears by strength, and else it is noted for margins.</source>
         <translation>Moment de flexion auquel un longeron casse ou se plie pour de bon ; les longerons y cassent si le matériau cède par résistance, sinon il est noté pour les marges.</translation>
     </message>
@@ -11982,6 +12007,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Largest principal tension of elastic panels, the mean by their area at rest.</source>
+        <translation>Plus grande tension principale des panneaux élastiques, moyenne selon leur aire au repos.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Largest strain that the automatic solver allows in rods without compliance, where it stands for the accuracy; smaller is stiffer and slower.</source>
         <translation>Plus grande déformation que le solveur automatique admet dans les tiges sans souplesse, où elle tient lieu de précision ; plus petite, c’est plus raide et plus lent.</translation>
     </message>
@@ -12512,6 +12542,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Mean stress</source>
+        <translation>Contrainte moyenne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Mean width of the tail and its ribbons, which the wind drags.</source>
         <translation>Largeur moyenne de la queue et de ses rubans, que le vent freine.</translation>
     </message>
@@ -12754,6 +12789,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Of each new particle.</source>
         <translation>De chaque nouvelle particule.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of spars, where two links meet; the largest where there are several places.</source>
+        <translation>Des espars, où deux liaisons se rejoignent ; le plus grand s’il y a plusieurs endroits.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13227,6 +13267,16 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Pull of the warp threads of elastic panels per width, the mean by their area at rest.</source>
+        <translation>Traction des fils de chaîne des panneaux élastiques par largeur, moyenne selon leur aire au repos.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pull of the weft threads of elastic panels per width, the mean by their area at rest.</source>
+        <translation>Traction des fils de trame des panneaux élastiques par largeur, moyenne selon leur aire au repos.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Pull per width at which a strip of the fabric breaks across its warp, without seams; elastic panels tear by it where the material tears by strength, and else it is noted for margins.</source>
         <translation>Traction par largeur à laquelle une bande du tissu casse en travers de la chaîne, sans couture ; les panneaux élastiques s’y déchirent si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
     </message>
@@ -13234,6 +13284,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Pull per width at which a strip of the fabric breaks along its warp, without seams; elastic panels tear by it where the material tears by strength, and else it is noted for margins.</source>
         <translation>Traction par largeur à laquelle une bande du tissu casse dans le sens de la chaîne, sans couture ; les panneaux élastiques s’y déchirent si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pull per width of fabric, the largest of all directions and places: of elastic panels their principal tension, of threads their tension over their width.</source>
+        <translation>Traction par largeur de tissu, la plus grande de toutes les directions et de tous les endroits : des panneaux élastiques leur tension principale, des fils leur tension sur leur largeur.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13639,6 +13694,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Share of its strengths that what is made of it keeps, as fabric does at seams and a line at knots: about 0.8 for lap seams, 0.9 for sewn loops, 0.35 to 0.6 for knots; all of it tears at that share where the material tears by strength, and else it is noted for margins.</source>
         <translation>Part de ses résistances que garde ce qui en est fait, comme le tissu aux coutures et une ligne aux nœuds : environ 0.8 pour les coutures rabattues, 0.9 pour les boucles cousues, 0.35 à 0.6 pour les nœuds ; tout cède à cette part si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Share of the area of elastic panels that is wrinkled or slack.</source>
+        <translation>Part de l’aire des panneaux élastiques qui est plissée ou détendue.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14437,6 +14497,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="tables"/>
+        <source>Warp stress</source>
+        <translation>Contrainte en chaîne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Washout</source>
         <translation>Vrillage</translation>
     </message>
@@ -14464,6 +14529,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Weft strength</source>
         <translation>Résistance en trame</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Weft stress</source>
+        <translation>Contrainte en trame</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14804,6 +14874,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="tables"/>
         <source>Work of tearing</source>
         <translation>Travail de la déchirure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wrinkled share</source>
+        <translation>Part plissée</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15817,8 +15892,13 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="totals.cpp"/>
-        <source>Used by %1, %2</source>
-        <translation>Utilisé par %1, %2</translation>
+        <source>Used by %1</source>
+        <translation>Utilisé par %1</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>Used by nothing yet</source>
+        <translation>Pas encore utilisé</translation>
     </message>
     <message>
         <location filename="tour.cpp"/>

@@ -1,6 +1,6 @@
-// Rows are made in the order of interest: what a design is first, its mesh last, under a heading for
-// each group. Values come and go by the keys of parameters; a form that is filled by its owner says
-// nothing of it.
+// Rows are made in the order of interest: what a design is first, its mesh last, under a heading
+// for each group. Values come and go by the keys of parameters; a form that is filled by its owner
+// says nothing of it.
 #include "start/parameter_form.h"
 
 #include "document/words.h"
