@@ -37,9 +37,12 @@ struct OpenWindow : WindowShop
             qFatal("no frame comes");
     }
 
-    // As from the keyboard: to the window, where shortcuts are asked first.
-    static void type(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    // As from the keyboard: to the window, where shortcuts are asked first. Once a dialog is gone no
+    // window is active where there is no window manager, and the server says so late.
+    void type(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
     {
+        if (!QApplication::activeWindow())
+            QApplication::setActiveWindow(&window);
         QTest::keyClick(QApplication::activeWindow()->windowHandle(), key, modifiers);
     }
 
@@ -117,7 +120,7 @@ QString complaintAfter(OpenWindow& shop, QWidget& widget, Qt::Key end)
     if (!widget.hasFocus())
         return name + " takes no focus";
     const bool needsControl = isLine(widget) && end != Qt::Key_Escape;
-    OpenWindow::type(end, needsControl ? Qt::ControlModifier : Qt::NoModifier);
+    shop.type(end, needsControl ? Qt::ControlModifier : Qt::NoModifier);
     if (!QApplication::activeWindow()) // when a dialog is gone
         QApplication::setActiveWindow(&shop.window);
     if (!QTest::qWaitFor([&] { return shop.viewport.hasFocus(); }, 1000))
@@ -126,17 +129,17 @@ QString complaintAfter(OpenWindow& shop, QWidget& widget, Qt::Key end)
         return {}; // where the focus is says the rest, as after Enter
     const QString text = field ? textOf(*field) : QString();
     const bool played = shop.player.isPlaying();
-    OpenWindow::type(Qt::Key_Space);
+    shop.type(Qt::Key_Space);
     if (shop.player.isPlaying() == played)
         return name + ": Space does not play";
-    OpenWindow::type(Qt::Key_Space);
-    OpenWindow::type(Qt::Key_G);
+    shop.type(Qt::Key_Space);
+    shop.type(Qt::Key_G);
     if (shop.viewport.transformTool().shaping() != Shaping::Move)
         return name + ": G is not the tool";
-    OpenWindow::type(Qt::Key_G);
+    shop.type(Qt::Key_G);
     if ((field && textOf(*field) != text) || QApplication::activePopupWidget())
         return name + " was typed into: " + textOf(*field);
-    OpenWindow::type(Qt::Key_Z, Qt::ControlModifier);
+    shop.type(Qt::Key_Z, Qt::ControlModifier);
     if (shop.document.history().index() != before - 1)
         return name + ": Ctrl+Z does not take back";
     return {};
@@ -233,12 +236,12 @@ private slots:
         edit.selectAll();
         QTest::keyClicks(&edit, "7");
         QCOMPARE(edit.text(), QString("7"));
-        OpenWindow::type(Qt::Key_Escape);
+        shop.type(Qt::Key_Escape);
         QCOMPARE(edit.text(), before);
         QCOMPARE(shop.document.history().index(), steps);
         QVERIFY(shop.viewport.hasFocus());
         QVERIFY(shop.selection.ids() == selected); // Escape was the field's
-        OpenWindow::type(Qt::Key_Escape);
+        shop.type(Qt::Key_Escape);
         QVERIFY(shop.selection.ids().empty()); // and now it is the scene's
     }
 
@@ -250,12 +253,12 @@ private slots:
         edit.setFocus();
         edit.selectAll();
         QTest::keyClicks(&edit, "many");
-        OpenWindow::type(Qt::Key_Return);
+        shop.type(Qt::Key_Return);
         QVERIFY(edit.hasFocus());
         QCOMPARE(edit.text(), QString("many"));
         edit.selectAll();
         QTest::keyClicks(&edit, "0.5");
-        OpenWindow::type(Qt::Key_Return);
+        shop.type(Qt::Key_Return);
         QVERIFY(shop.viewport.hasFocus());
     }
 
@@ -270,10 +273,10 @@ private slots:
                 continue;
             notes->setFocus();
             const QString before = notes->toPlainText();
-            OpenWindow::type(Qt::Key_Return);
+            shop.type(Qt::Key_Return);
             QVERIFY(notes->hasFocus());
             QCOMPARE(notes->toPlainText().size(), before.size() + 1);
-            OpenWindow::type(Qt::Key_Return, Qt::ControlModifier);
+            shop.type(Qt::Key_Return, Qt::ControlModifier);
             QVERIFY(shop.viewport.hasFocus());
         }
     }
@@ -297,7 +300,7 @@ private slots:
         QTest::keyClick(tour, Qt::Key_Escape);
         QTRY_VERIFY(!shop.window.findChild<Tour*>());
         QVERIFY(shop.viewport.hasFocus());
-        OpenWindow::type(Qt::Key_Space);
+        shop.type(Qt::Key_Space);
         QVERIFY(shop.player.isPlaying());
     }
 
