@@ -226,6 +226,8 @@ private slots:
         QCOMPARE(play->text(), QString("Play"));
         QVERIFY(shop.runs.time() < 0.9);             // at a quarter of the speed of the clock
         QTRY_VERIFY(shop.looksAt(shop.runs.time())); // frames are fetched on another thread
+        const auto now = [&] { return QLocale().toString(shop.runs.time(), 'f', 3) + " s"; };
+        QTRY_COMPARE(time->text(), now()); // which is shown a little later
 
         QStringList times; // the time does not leap to the end of the run and back
         connect(&shop.player, &Player::stateChanged, this, [&] { times << time->text(); });

@@ -236,7 +236,8 @@ private slots:
             QTest::qWait(50); // longer than from a move to a look
             return view.viewport.pointing().hovered();
         };
-        QTRY_COMPARE(hovered(), Id{2}); // what a click takes
+        bool isTaken = false; // once is enough: QTRY_COMPARE would move the mouse once more
+        QTRY_VERIFY(isTaken = isTaken || hovered() == Id{2}); // what a click takes
         QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, near().toPoint());
         QCOMPARE(view.selection.ids(), std::vector{Id{2}});
     }
