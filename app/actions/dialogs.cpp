@@ -50,6 +50,7 @@ QStringList Dialogs::open() const
                                      {m_condition, "byProperty"},
                                      {m_rigidity, "floppy"},
                                      {m_settle, "settle"},
+                                     {m_differences, "compareDesign"},
                                      {m_preferences, "preferences"}})
         if (stands(dialog))
             ids << QLatin1String(id);

@@ -37,8 +37,8 @@ struct OpenWindow : WindowShop
             qFatal("no frame comes");
     }
 
-    // As from the keyboard: to the window, where shortcuts are asked first. Once a dialog is gone no
-    // window is active where there is no window manager, and the server says so late.
+    // As from the keyboard: to the window, where shortcuts are asked first. Once a dialog is gone
+    // no window is active where there is no window manager, and the server says so late.
     void type(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
     {
         if (!QApplication::activeWindow())

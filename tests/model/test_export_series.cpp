@@ -8,6 +8,7 @@
 #include "export/format.h"
 #include "model/files.h"
 #include "model/meshes.h"
+#include "model/written_series.h"
 #include "registered_test.h"
 #include "shapes/mesh_file.h"
 #include "simulation/simulation.h"
@@ -93,18 +94,6 @@ std::array<Frame, 2> tearing(const Scene& scene)
     after.torn[0] = 1;
     after.gone[1] = 1;
     return {before, after};
-}
-
-std::optional<Failure> writeSeries(std::span<const Frame> frames, const MeshAppearance& appearance,
-                                   const std::string& target)
-{
-    auto sink = openSink(*formatOf(target), target, appearance);
-    if (!sink)
-        return sink.failure();
-    for (const Frame& frame : frames)
-        if (auto failure = (*sink)->add(frame))
-            return failure;
-    return (*sink)->finish({});
 }
 
 } // namespace

@@ -1,8 +1,7 @@
 // A series as HDF5: what the library reads back is what the frames have, to the bit, also where a
 // tear makes another mesh of it.
 #include "compile/compile.h"
-#include "export/export_run.h"
-#include "export/format.h"
+#include "model/written_series.h"
 #include "registered_test.h"
 #include "simulation/simulation.h"
 
@@ -34,17 +33,6 @@ Frame frameOfTriangle()
     return *Simulation(*compile(scene)).frame();
 }
 
-std::optional<Failure> written(std::span<const Frame> frames, const std::string& target)
-{
-    auto sink = openSink(*formatOf(target), target, {});
-    if (!sink)
-        return sink.failure();
-    for (const Frame& frame : frames)
-        if (auto failure = (*sink)->add(frame))
-            return failure;
-    return (*sink)->finish({});
-}
-
 } // namespace
 
 class TestHdf5 : public QObject
@@ -55,7 +43,7 @@ private slots: // moc does not see what the compiler is told, so they are the sa
     void readsBack()
     {
 #ifndef RIPSTOP_HAS_HDF5
-        const auto refused = written({}, "flight.h5");
+        const auto refused = writeSeries({}, {}, "flight.h5");
         QVERIFY(refused && refused->message.english().find("libhdf5-dev") != std::string::npos);
 #else
         std::vector<Frame> frames(3, frameOfTriangle());
@@ -74,7 +62,7 @@ private slots: // moc does not see what the compiler is told, so they are the sa
 
         const QTemporaryDir folder;
         const std::string target = folder.filePath("flight.h5").toStdString();
-        QVERIFY(!written(frames, target));
+        QVERIFY(!writeSeries(frames, {}, target));
         m_file = H5Fopen(target.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
         QVERIFY(m_file >= 0);
         QCOMPARE(numbers("/time"), (std::vector<double>{0.0, 0.1, 0.2}));
@@ -100,13 +88,13 @@ private slots: // moc does not see what the compiler is told, so they are the sa
         const QTemporaryDir folder;
         const std::string target = folder.filePath("flight.h5").toStdString();
         const std::vector frames{frameOfTriangle()};
-        QVERIFY(!written(frames, target));
+        QVERIFY(!writeSeries(frames, {}, target));
         {
             auto sink = openSink(*formatOf(target), target, {});
             QVERIFY(!(*sink)->add(frames.front())); // and given up
         }
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"flight.h5"});
-        const auto failure = written(frames, "/nowhere/flight.h5");
+        const auto failure = writeSeries(frames, {}, "/nowhere/flight.h5");
         QVERIFY(failure && failure->message.english().find("/nowhere/flight.h5") == 0);
 #endif
     }

@@ -4,6 +4,7 @@
 #include "builders/builder.h"
 #include "recording/probe_past.h"
 #include "registered_test.h"
+#include "views/small_scenes.h"
 
 #include "flown.h"
 
@@ -33,19 +34,10 @@ Scene without(Scene scene)
     return scene;
 }
 
-// Two particles that nothing holds, with no air: they fall with g.
 Scene fall()
 {
-    Scene scene;
+    Scene scene = fallingPair();
     scene.settings.timeStep = 0.001; // s
-    scene.settings.substeps = 1;
-    scene.settings.airDensity = 0.0; // kg/m^3
-    Part part;
-    part.name = "pair";
-    part.particles.push_back({.id = Id{2}, .position = Vec3(0, 10, 0), .mass = 0.5});
-    part.particles.push_back({.id = Id{3}, .position = Vec3(1, 10, 0), .mass = 0.5});
-    scene.items = {{Id{1}, part}};
-    scene.nextId = Id{20};
     return scene;
 }
 
@@ -101,7 +93,7 @@ private slots:
         constexpr double g = 9.80665, h = 0.001;
         const auto recording = flown(fall(), 500);
         const ProbePast past =
-            probePast(*recording, {probe(7, Quantity::PositionY), probe(8, Quantity::SinkRate)});
+            probePast(*recording, {probe(8, Quantity::PositionY), probe(9, Quantity::SinkRate)});
         QCOMPARE(past.value.size(), std::size_t(2));
         for (std::size_t i = 0; i < past.time.size(); ++i) {
             const double t = past.time[i];
@@ -114,19 +106,19 @@ private slots:
     void someHaveNone()
     {
         const auto recording = flown(fall(), 50);
-        const ProbePast clock = probePast(*recording, {probe(7, Quantity::StepsPerSecond, noId)});
+        const ProbePast clock = probePast(*recording, {probe(8, Quantity::StepsPerSecond, noId)});
         QVERIFY(!clock.time.empty());
         for (const double value : clock.value[0])
             QVERIFY(std::isnan(value));
-        const ProbePast stranger = probePast(*recording, {probe(7, Quantity::PositionY, Id{15})});
+        const ProbePast stranger = probePast(*recording, {probe(8, Quantity::PositionY, Id{15})});
         for (const double value : stranger.value[0])
             QVERIFY(std::isnan(value));
         // works are added up from when they are asked for
-        const ProbePast work = probePast(*recording, {probe(7, Quantity::WorkOfAir, noId)});
+        const ProbePast work = probePast(*recording, {probe(8, Quantity::WorkOfAir, noId)});
         for (const double value : work.value[0])
             QVERIFY(std::isnan(value));
         const ProbePast ended =
-            probePast(*recording, {probe(7, Quantity::PositionY)}, [](double) { return false; });
+            probePast(*recording, {probe(8, Quantity::PositionY)}, [](double) { return false; });
         QVERIFY(ended.time.empty());
     }
 };

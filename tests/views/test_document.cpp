@@ -308,6 +308,9 @@ private slots:
         QCOMPARE(nameOf(scene, Id{77}), QString("#77"));
         QCOMPARE(compactNumber(1.0 / 240.0), QString("0.00416667"));
         QCOMPARE(compactNumber(0.1), QString("0.1"));
+        QCOMPARE(compactNumber(5e-4), QString("0.0005"));
+        QCOMPARE(compactNumber(40000.0), QString("40000"));
+        QCOMPARE(compactNumber(1e-12), QString("1e-12"));
         QCOMPARE(compactNumber(-9.80665), QString("-9.80665"));
         QCOMPARE(choiceLabel("semi_implicit_euler"), QString("Semi implicit Euler"));
     }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace ripstop {
 namespace {
@@ -155,8 +156,13 @@ QString nameOf(const Scene& scene, Id id)
 
 QString compactNumber(double value)
 {
-    const QString exact = QString::number(value, 'g', QLocale::FloatingPointShortest);
-    const QString rounded = QString::number(value, 'g', 6);
+    const double size = std::abs(value);
+    const bool isPlain = size == 0.0 || (size >= 1e-6 && size < 1e9); // 0.0005, not 5e-04
+    const auto shortest = [&](double number) {
+        return QString::number(number, isPlain ? 'f' : 'g', QLocale::FloatingPointShortest);
+    };
+    const QString exact = shortest(value);
+    const QString rounded = shortest(QString::number(value, 'g', 6).toDouble());
     QString number = exact.size() <= rounded.size() ? exact : rounded;
     return number.replace(QChar('.'), QLocale().decimalPoint());
 }

@@ -184,13 +184,7 @@ void ParallelChart::drawLines()
 
 void ParallelChart::mark(const std::vector<std::size_t>& selected)
 {
-    m_isSelected.clear();
-    const std::size_t count = m_columns->empty() ? 0 : m_columns->front().value.size();
-    if (!selected.empty())
-        m_isSelected.resize(count, 0);
-    for (const std::size_t point : selected)
-        if (point < count)
-            m_isSelected[point] = 1;
+    m_isSelected = marksOf(selected, m_columns->empty() ? 0 : m_columns->front().value.size());
     drawLines();
 }
 

@@ -35,4 +35,14 @@ inline std::vector<std::size_t> pickedOf(std::vector<std::size_t> before,
     return before;
 }
 
+// [count] 1 for what is picked; empty where nothing is, which is drawn as if all were.
+inline std::vector<char> marksOf(const std::vector<std::size_t>& picked, std::size_t count)
+{
+    std::vector<char> marks(picked.empty() ? 0 : count, 0);
+    for (const std::size_t point : picked)
+        if (point < marks.size())
+            marks[point] = 1;
+    return marks;
+}
+
 } // namespace ripstop

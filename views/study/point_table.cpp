@@ -3,6 +3,7 @@
 // of a hundred thousand rows.
 #include "study/point_table.h"
 
+#include "study/picking.h"
 #include "study/shown_value.h"
 
 #include <QGuiApplication>
@@ -46,10 +47,7 @@ void PointModel::show(SharedColumns columns, std::vector<FlightOutcome> outcomes
 
 void PointModel::mark(const std::vector<std::size_t>& selected)
 {
-    m_isSelected.assign(selected.empty() ? 0 : m_outcomes.size(), 0);
-    for (const std::size_t point : selected)
-        if (point < m_isSelected.size())
-            m_isSelected[point] = 1;
+    m_isSelected = marksOf(selected, m_outcomes.size());
     if (!m_order.empty())
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1),
                          {Qt::BackgroundRole, Qt::ForegroundRole});

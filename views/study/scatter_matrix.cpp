@@ -36,7 +36,7 @@ bool isLogarithmic(const StudyColumn& column)
     return column.isLogarithmic && span && span->least > 0.0;
 }
 
-// A spoken axis would write its own title, which has no room here.
+// A spoken axis writes its whole title, which has no room here.
 void giveScale(QCPAxis& axis, bool isLogarithmic)
 {
     axis.setScaleType(isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
@@ -205,13 +205,7 @@ void ScatterMatrix::fillDiagonal(const Diagonal& diagonal)
 
 void ScatterMatrix::mark(const std::vector<std::size_t>& selected)
 {
-    m_isSelected.clear();
-    const std::size_t count = m_columns->empty() ? 0 : m_columns->front().value.size();
-    if (!selected.empty())
-        m_isSelected.resize(count, 0);
-    for (const std::size_t point : selected)
-        if (point < count)
-            m_isSelected[point] = 1;
+    m_isSelected = marksOf(selected, m_columns->empty() ? 0 : m_columns->front().value.size());
     fill();
 }
 
