@@ -1,8 +1,8 @@
 // Looks for the problems of a scene in this order:
 // 1. Errors: ids that are used twice, references that dangle or point at the wrong kind, free
 //    particles without mass or guide axis, and items whose numbers or files cannot work.
-// 2. Warnings of the mesh: links that join the same two particles, found by counting sort in one
-//    pass over all links, and particles without links.
+// 2. Warnings of the mesh: links that join the same two particles, and particles without links
+//    (network_check.h).
 // 3. Warnings of the run: a substep above the limit of springs and bending, and colliders that fit
 //    between the particles of the fabric.
 // Elements that pass isSound() skip the walk over the property table, so that large tables stay
@@ -11,6 +11,7 @@
 
 #include "base/quantity.h"
 #include "check/elastic_check.h"
+#include "check/network_check.h"
 #include "check/step_limits.h"
 #include "check/tear_check.h"
 #include "check/unknown_items.h"
@@ -20,23 +21,12 @@
 #include "scene/element_index.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace ripstop {
 namespace {
-
-// The thing as the subject of a sentence: "Particle 17".
-Message named(Kind kind, Id id)
-{
-    std::string name(kindName(kind));
-    name[0] = char(std::toupper(name[0]));
-    return id == settingsId ? Message::word(name)
-                            : Message("%1 %2", Message::word(name), std::uint32_t(id));
-}
 
 std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
 {
@@ -51,6 +41,13 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
         }
     });
     return limit;
+}
+
+bool hasParticles(const Scene& scene)
+{
+    bool has = false;
+    forEachPart(scene, [&](Id, const Part& part) { has |= !part.particles.empty(); });
+    return has;
 }
 
 bool hasDirection(const Particle& row)
@@ -94,12 +91,12 @@ public:
     std::vector<Finding> run()
     {
         errors();
-        duplicates();
+        checkNetwork(m_scene, m_index, adding());
         stability();
         gaps();
         checkTearing(m_scene, adding());
         checkUnknownItems(m_scene, adding());
-        if (!m_hasParticles)
+        if (!hasParticles(m_scene))
             add("empty", Severity::Warning,
                 Message("The scene has no particles: insert a part or import a mesh."), noId);
         std::stable_sort(
@@ -170,7 +167,7 @@ private:
                 const std::optional<Kind> found = m_index.kindOf(id);
                 if ((found && property.pointsAt.contains(*found)) || m_count["dangling"] >= m_most)
                     return;
-                const Message name = named(kindOf(ref), holder);
+                const Message name = subjectOf(kindOf(ref), holder);
                 const auto number = std::uint32_t(id);
                 const UnknownItem* unknown = findUnknownItem(m_scene, id);
                 add("dangling", Severity::Error,
@@ -205,7 +202,7 @@ private:
                     if (!hasEnds(row))
                         add("ends", Severity::Error,
                             Message("%1 needs two different particles as its ends; remove it.",
-                                    named(Kind::Link, row.id)),
+                                    subjectOf(Kind::Link, row.id)),
                             row.id);
                 }
                 for (const Panel& row : part->panels) {
@@ -216,7 +213,7 @@ private:
                         add("corners", Severity::Error,
                             Message("%1 needs three different particles as its corners; remove "
                                     "it.",
-                                    named(Kind::Panel, row.id)),
+                                    subjectOf(Kind::Panel, row.id)),
                             row.id);
                 }
             }
@@ -229,7 +226,7 @@ private:
             for (const Particle& row : part.particles) {
                 if (isSound(row))
                     continue;
-                const Message name = named(Kind::Particle, row.id);
+                const Message name = subjectOf(Kind::Particle, row.id);
                 if (!hasDirection(row))
                     add("guide", Severity::Error,
                         Message("%1 of %2 needs a guide axis that is not zero.", name, part.name),
@@ -326,100 +323,6 @@ private:
         }
     }
 
-    void duplicates()
-    {
-        // Links sorted by their lower end, by counting: those that join the same two particles
-        // are found where the lists of one end name the other end again.
-        struct Tie
-        {
-            int high; // particle
-            int link; // number of the row
-        };
-        const auto particles = std::size_t(particleCount());
-        m_hasParticles = particles > 0;
-        std::vector<std::uint8_t> tied(particles, 0);
-        std::vector<int> first(particles + 1, 0);
-        const auto eachTie = [&](auto visit) {
-            int link = -1;
-            forEachPart(m_scene, [&](Id, const Part& part) {
-                for (const Link& row : part.links) {
-                    ++link;
-                    const int from = m_index.particle(row.from);
-                    const int to = m_index.particle(row.to);
-                    if (from >= 0 && to >= 0)
-                        visit(std::size_t(std::min(from, to)), Tie{std::max(from, to), link});
-                }
-            });
-        };
-        eachTie([&](std::size_t low, const Tie& tie) {
-            tied[low] = tied[std::size_t(tie.high)] = 1;
-            ++first[low + 1];
-        });
-        std::partial_sum(first.begin(), first.end(), first.begin());
-        std::vector<Tie> ties(std::size_t(first.back()));
-        std::vector<int> next(first.begin(), first.end() - 1);
-        eachTie([&](std::size_t low, const Tie& tie) { ties[std::size_t(next[low]++)] = tie; });
-
-        std::vector<int> again; // links
-        std::vector<int> lastLow(particles, -1);
-        for (std::size_t low = 0; low < particles; ++low)
-            for (int k = first[low]; k < first[low + 1]; ++k) {
-                const Tie& tie = ties[std::size_t(k)];
-                if (std::exchange(lastLow[std::size_t(tie.high)], int(low)) == int(low))
-                    again.push_back(tie.link);
-            }
-        std::sort(again.begin(), again.end());
-        reportDoubles(again);
-        forEachPart(m_scene, [&](Id, const Part& part) {
-            if (part.carrier != FabricKind::Panels)
-                return;
-            for (const Panel& panel : part.panels)
-                for (const Id corner : {panel.a, panel.b, panel.c})
-                    if (const int place = m_index.particle(corner); place >= 0)
-                        tied[std::size_t(place)] = 1;
-        });
-        reportLoose(tied);
-    }
-
-    void reportDoubles(const std::vector<int>& again)
-    {
-        int start = 0;
-        auto link = again.begin();
-        forEachPart(m_scene, [&](Id, const Part& part) {
-            const int end = start + int(part.links.size());
-            for (; link != again.end() && *link < end; ++link)
-                add("double", Severity::Warning,
-                    Message("%1 of %2 joins two particles that are joined already.",
-                            named(Kind::Link, part.links[std::size_t(*link - start)].id),
-                            part.name),
-                    part.links[std::size_t(*link - start)].id);
-            start = end;
-        });
-    }
-
-    void reportLoose(const std::vector<std::uint8_t>& tied)
-    {
-        forEachPart(m_scene, [&](Id, const Part& part) {
-            if (part.links.empty())
-                return;
-            for (const Particle& row : part.particles) {
-                const int place = m_index.particle(row.id);
-                if (place >= 0 && !tied[std::size_t(place)] && !row.pinned)
-                    add("loose", Severity::Warning,
-                        Message("%1 of %2 has no links and will fly by itself.",
-                                named(Kind::Particle, row.id), part.name),
-                        row.id);
-            }
-        });
-    }
-
-    int particleCount() const
-    {
-        std::size_t count = 0;
-        forEachPart(m_scene, [&](Id, const Part& part) { count += part.particles.size(); });
-        return int(count);
-    }
-
     void stability()
     {
         const Settings& settings = m_scene.settings;
@@ -445,7 +348,6 @@ private:
     const Scene& m_scene;
     const ElementIndex& m_index;
     std::size_t m_most;
-    bool m_hasParticles = false;
     std::map<std::string_view, std::size_t> m_count;
     std::vector<Finding> m_problems;
 };

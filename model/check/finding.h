@@ -30,4 +30,7 @@ struct Finding
     Id culprit() const { return culprits.empty() ? noId : culprits.front(); }
 };
 
+// A thing as the subject of a sentence: "Particle 17".
+Message subjectOf(Kind kind, Id id);
+
 } // namespace ripstop

@@ -143,6 +143,7 @@ enum class Trait {
                // air in a canopy): another value means a new system
     Looks,     // how things are drawn; what has DisplayOnly as its effect has this in any case
     Counts,    // how many things ask for what (usage.h)
+    Solving,   // how a run is computed, which the automatic solver sees to
     Own        // the thing's own, such as a name or a place: no default is worth going back to
 };
 using Traits = SetOf<Trait>;

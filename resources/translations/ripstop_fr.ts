@@ -500,18 +500,8 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>%1 of %2 has no links and will fly by itself.</source>
-        <translation>%1 de %2 n’a pas de liaisons et volera seule.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
         <source>%1 of %2 is free and has no mass: give it a mass or pin it.</source>
         <translation>%1 de %2 est libre et sans masse : lui donner une masse ou la fixer.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 of %2 joins two particles that are joined already.</source>
-        <translation>%1 de %2 joint deux particules déjà jointes.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -5323,6 +5313,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="neighbours.cpp"/>
         <source>The library has nothing stiffer than %1 that is known as well.</source>
         <translation>La bibliothèque n’a rien de plus raide que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
+        <location filename="network_check.cpp"/>
+        <source>%1 of %2 has no links and will fly by itself.</source>
+        <translation>%1 de %2 n’a pas de liaisons et volera seule.</translation>
+    </message>
+    <message>
+        <location filename="network_check.cpp"/>
+        <source>%1 of %2 joins two particles that are joined already.</source>
+        <translation>%1 de %2 joint deux particules déjà jointes.</translation>
     </message>
     <message>
         <location filename="new_file.cpp"/>

@@ -26,7 +26,6 @@
 #include <QToolButton>
 
 #include <algorithm>
-#include <array>
 
 namespace ripstop {
 namespace {
@@ -78,17 +77,8 @@ QToolButton* rowButton(const QString& picture, const QString& tip, const QString
     return button;
 }
 
-// How the run is computed, which the automatic solver sees to: who makes a kite comes for the air.
-bool isOfSolver(const Property& property)
-{
-    static const std::array<const Property*, 10> all{
-        &propertyOf<&Settings::timeStep>(),     &propertyOf<&Settings::substeps>(),
-        &propertyOf<&Settings::sweeps>(),       &propertyOf<&Settings::integrator>(),
-        &propertyOf<&Settings::solver>(),       &propertyOf<&Settings::accuracy>(),
-        &propertyOf<&Settings::strainGoal>(),   &propertyOf<&Settings::rampTime>(),
-        &propertyOf<&Settings::tearsPerStep>(), &propertyOf<&Settings::speedLimit>()};
-    return std::ranges::find(all, &property) != all.end();
-}
+// Who makes a kite comes for the air.
+bool isOfSolver(const Property& property) { return property.traits.contains(Trait::Solving); }
 
 bool isTunable(const Property& property)
 {
@@ -275,6 +265,8 @@ void PropertyForm::toggleSlider(const Property& property)
 bool PropertyForm::fits(const Row& row) const
 {
     const QStringList wanted = m_words.simplified().split(QChar(' '), Qt::SkipEmptyParts);
+    if (wanted.isEmpty())
+        return true;
     const QString about = labelOf(*row.property) + QChar(' ')
                           + QString::fromUtf8(row.property->key.data()) + QChar(' ')
                           + helpOf(*row.property);

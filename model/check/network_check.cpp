@@ -1,0 +1,110 @@
+// Links that join the same two particles are found by counting sort, in two passes over all links.
+#include "check/network_check.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+std::size_t particleCount(const Scene& scene)
+{
+    std::size_t count = 0;
+    forEachPart(scene, [&](Id, const Part& part) { count += part.particles.size(); });
+    return count;
+}
+
+//   again  numbers of links, ascending
+void reportDoubles(const Scene& scene, const std::vector<int>& again, const AddFinding& add)
+{
+    int start = 0;
+    auto link = again.begin();
+    forEachPart(scene, [&](Id, const Part& part) {
+        const int end = start + int(part.links.size());
+        for (; link != again.end() && *link < end; ++link)
+            add("double", Severity::Warning,
+                Message("%1 of %2 joins two particles that are joined already.",
+                        subjectOf(Kind::Link, part.links[std::size_t(*link - start)].id),
+                        part.name),
+                part.links[std::size_t(*link - start)].id);
+        start = end;
+    });
+}
+
+//   tied  [particles] 1 where something holds it
+void reportLoose(const Scene& scene, const ElementIndex& index,
+                 const std::vector<std::uint8_t>& tied, const AddFinding& add)
+{
+    forEachPart(scene, [&](Id, const Part& part) {
+        if (part.links.empty())
+            return;
+        for (const Particle& row : part.particles) {
+            const int place = index.particle(row.id);
+            if (place >= 0 && !tied[std::size_t(place)] && !row.pinned)
+                add("loose", Severity::Warning,
+                    Message("%1 of %2 has no links and will fly by itself.",
+                            subjectOf(Kind::Particle, row.id), part.name),
+                    row.id);
+        }
+    });
+}
+
+} // namespace
+
+void checkNetwork(const Scene& scene, const ElementIndex& index, const AddFinding& add)
+{
+    // Links sorted by their lower end, by counting: those that join the same two particles
+    // are found where the lists of one end name the other end again.
+    struct Tie
+    {
+        int high; // particle
+        int link; // number of the row
+    };
+    const std::size_t particles = particleCount(scene);
+    std::vector<std::uint8_t> tied(particles, 0);
+    std::vector<int> first(particles + 1, 0);
+    const auto eachTie = [&](auto visit) {
+        int link = -1;
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Link& row : part.links) {
+                ++link;
+                const int from = index.particle(row.from);
+                const int to = index.particle(row.to);
+                if (from >= 0 && to >= 0)
+                    visit(std::size_t(std::min(from, to)), Tie{std::max(from, to), link});
+            }
+        });
+    };
+    eachTie([&](std::size_t low, const Tie& tie) {
+        tied[low] = tied[std::size_t(tie.high)] = 1;
+        ++first[low + 1];
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Tie> ties(std::size_t(first.back()));
+    std::vector<int> next(first.begin(), first.end() - 1);
+    eachTie([&](std::size_t low, const Tie& tie) { ties[std::size_t(next[low]++)] = tie; });
+
+    std::vector<int> again; // links
+    std::vector<int> lastLow(particles, -1);
+    for (std::size_t low = 0; low < particles; ++low)
+        for (int k = first[low]; k < first[low + 1]; ++k) {
+            const Tie& tie = ties[std::size_t(k)];
+            if (std::exchange(lastLow[std::size_t(tie.high)], int(low)) == int(low))
+                again.push_back(tie.link);
+        }
+    std::sort(again.begin(), again.end());
+    reportDoubles(scene, again, add);
+    forEachPart(scene, [&](Id, const Part& part) {
+        if (part.carrier != FabricKind::Panels)
+            return;
+        for (const Panel& panel : part.panels)
+            for (const Id corner : {panel.a, panel.b, panel.c})
+                if (const int place = index.particle(corner); place >= 0)
+                    tied[std::size_t(place)] = 1;
+    });
+    reportLoose(scene, index, tied, add);
+}
+
+} // namespace ripstop

@@ -1,0 +1,11 @@
+// Looks for links that join two particles that are joined already, and for particles that nothing
+// holds. Both are found in a time that grows like the number of links.
+#pragma once
+
+#include "check/elastic_check.h"
+
+namespace ripstop {
+
+void checkNetwork(const Scene& scene, const ElementIndex& index, const AddFinding& add);
+
+} // namespace ripstop
