@@ -13,6 +13,8 @@
 
 #include <QCommandLineParser>
 #include <QRegularExpression>
+#include <QSettings>
+#include <QTemporaryDir>
 
 #include <cstdio>
 
@@ -84,6 +86,9 @@ int main(int argc, char** argv)
     prepareViews();
     QApplication application(argc, argv);
     QApplication::setApplicationName("RipstopAlbum");
+    // What the walk chooses is nobody's choice, and the next album must not begin with it.
+    const QTemporaryDir settings;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     QCommandLineParser parser;
     parser.addHelpOption();
     parser.addPositionalArgument("FOLDER", "Where the pictures go.");
@@ -106,7 +111,9 @@ int main(int argc, char** argv)
     const QStringList sizes =
         parser.isSet(size) ? parser.values(size) : QStringList{"1280x800", "1920x1080"};
     for (const QString& one : themes) {
-        applyThemeChoice(application, one == "dark" ? ThemeChoice::Dark : ThemeChoice::Light);
+        const ThemeChoice choice = one == "dark" ? ThemeChoice::Dark : ThemeChoice::Light;
+        keepThemeChoice(choice); // the menu goes back to it after each of its rows
+        applyThemeChoice(application, choice);
         for (const QString& pixels : sizes)
             fill(parser.isSet(studies) ? showStudies : showEverything,
                  parser.positionalArguments().first(), one,

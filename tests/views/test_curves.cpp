@@ -202,6 +202,32 @@ private slots:
         chart.show({"x", {}}, {"y", {}}, {{"one", Qt::red, {0, 1, 2, 3}, {-5, 0, 1, 100}}});
         QVERIFY(chart.valueRange().second >= 100.0 && chart.valueRange().second < 1000.0);
     }
+
+    // Marks of a logarithmic axis are 1, 2 and 5 times powers of ten, and never too many.
+    void decades_data()
+    {
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        QTest::addColumn<QStringList>("marks");
+        QTest::newRow("one decade")
+            << 1400.0 << 25000.0 << QStringList{"2000", "5000", "10000", "20000"};
+        QTest::newRow("three") << 0.5 << 600.0 << QStringList{"1", "10", "100"};
+        QTest::newRow("many") << 0.01 << 5e5 << QStringList{"0.01", "1", "100", "10000"};
+    }
+    void decades()
+    {
+        QFETCH(double, low);
+        QFETCH(double, high);
+        QFETCH(QStringList, marks);
+        QCustomPlot plot;
+        plot.xAxis->setScaleType(QCPAxis::stLogarithmic);
+        plot.xAxis->setTicker(decadeTicker(5));
+        plot.xAxis->setRange(low, high);
+        plot.resize(400, 200);
+        plot.replot();
+        QStringList seen = plot.xAxis->tickVectorLabels().toList();
+        QCOMPARE(seen, marks);
+    }
 };
 
 const RegisteredTest registered("test_curves", runWithWidgets<TestCurves>);

@@ -8,12 +8,14 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ripstop {
 namespace {
 
 constexpr int steps = 4; // over an axis, about
+constexpr int mostOfDecades = 6;
 
 SpokenScale scaleOf(const AxisWords& words, const QCPRange& range)
 {
@@ -48,7 +50,56 @@ private:
     double m_step = 1.0;
 };
 
+// 1, 2 and 5 times the powers of ten, or fewer of them where they would be too many; QCustomPlot's
+// own marks of less than a few decades are evenly spaced, and lie upon each other at the upper end.
+class DecadeTicker final : public QCPAxisTicker
+{
+protected:
+    QVector<double> createTickVector(double step, const QCPRange& range) override
+    {
+        constexpr double narrow = 5.0; // where even steps stand apart
+        if (range.upper < narrow * range.lower)
+            return QCPAxisTicker::createTickVector(step, range);
+        for (const int mantissas : {3, 1})
+            if (const QVector<double> marks = marksIn(range, mantissas, 1);
+                marks.size() <= tickCount())
+                return marks;
+        const double decades = std::log10(range.upper / range.lower);
+        return marksIn(range, 1, int(std::ceil(decades / tickCount())));
+    }
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override
+    {
+        return tick >= 1e-3 && tick < 1e6
+                   ? spokenNumber(tick)
+                   : QCPAxisTicker::getTickLabel(tick, locale, format, precision);
+    }
+    int getSubTickCount(double) override { return 0; }
+
+private:
+    static QVector<double> marksIn(const QCPRange& range, int mantissas, int everyDecade)
+    {
+        QVector<double> marks;
+        if (!(range.lower > 0.0))
+            return marks;
+        const auto first = int(std::floor(std::log10(range.lower)));
+        for (int decade = first; std::pow(10.0, decade) <= range.upper; ++decade)
+            for (int i = 0; i < mantissas && decade % everyDecade == 0; ++i)
+                if (const double mark =
+                        std::array{1.0, 2.0, 5.0}[std::size_t(i)] * std::pow(10.0, decade);
+                    range.contains(mark))
+                    marks << mark;
+        return marks;
+    }
+};
+
 } // namespace
+
+QSharedPointer<QCPAxisTicker> decadeTicker(int mostMarks)
+{
+    const QSharedPointer<QCPAxisTicker> ticker(new DecadeTicker);
+    ticker->setTickCount(mostMarks);
+    return ticker;
+}
 
 SpokenAxis::SpokenAxis(QCPAxis& axis)
     : QObject(&axis)
@@ -69,14 +120,8 @@ void SpokenAxis::say(const AxisWords& words)
 void SpokenAxis::setLogarithmic(bool logarithmic)
 {
     m_axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    QSharedPointer<QCPAxisTicker> ticker;
-    if (logarithmic) {
-        ticker.reset(new QCPAxisTickerLog);
-        ticker->setTickCount(steps);
-    } else {
-        ticker.reset(new RoundTicker(m_words));
-    }
-    m_axis.setTicker(ticker);
+    m_axis.setTicker(logarithmic ? decadeTicker(mostOfDecades)
+                                 : QSharedPointer<QCPAxisTicker>(new RoundTicker(m_words)));
     m_axis.setNumberFormat(QStringLiteral("gb"));
     m_axis.setNumberPrecision(3); // 80, not 8e+01
     label();

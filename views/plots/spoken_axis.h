@@ -7,9 +7,11 @@
 #pragma once
 
 #include <QObject>
+#include <QSharedPointer>
 #include <QString>
 
 class QCPAxis;
+class QCPAxisTicker;
 
 namespace ripstop {
 
@@ -40,5 +42,8 @@ private:
     QCPAxis& m_axis;
     AxisWords m_words;
 };
+
+// Marks of a logarithmic axis that are no more than so many and stand apart.
+QSharedPointer<QCPAxisTicker> decadeTicker(int mostMarks);
 
 } // namespace ripstop

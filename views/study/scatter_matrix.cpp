@@ -4,6 +4,7 @@
 
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
+#include "plots/spoken_axis.h"
 
 #include <QEvent>
 #include <QRubberBand>
@@ -40,10 +41,10 @@ bool isLogarithmic(const StudyColumn& column)
 void giveScale(QCPAxis& axis, bool isLogarithmic)
 {
     axis.setScaleType(isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    const QSharedPointer<QCPAxisTicker> ticker(isLogarithmic ? new QCPAxisTickerLog
-                                                             : new QCPAxisTicker);
-    ticker->setTickCount(4);
-    axis.setTicker(ticker);
+    constexpr int most = 3;
+    const QSharedPointer<QCPAxisTicker> even(new QCPAxisTicker);
+    even->setTickCount(most);
+    axis.setTicker(isLogarithmic ? decadeTicker(most) : even);
 }
 
 } // namespace
@@ -273,7 +274,6 @@ void ScatterMatrix::restyle()
             const QString title = QString::fromStdString((*m_columns)[column].title);
             axis.setLabel(isOuter ? fontMetrics().elidedText(title, Qt::ElideRight, room)
                                   : QString());
-            axis.ticker()->setTickCount(3);
             axis.grid()->setVisible(false);
         }
         rect.setupFullAxesBox();

@@ -150,17 +150,20 @@ QWidget* StudyView::flightLine()
     m_watch->setToolTip(tr("Fly it again with all of its frames, to the moment when it tears or to "
                            "its end, and compare its hash with that of the study."));
     m_apply->setToolTip(tr("Give the open design the values of this flight, as one step."));
-    auto* line = new QWidget;
-    auto* layout = new QHBoxLayout(line);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_told, 1);
     m_compare->setToolTip(
         tr("Fly the selected flights again in the background, and show the curves of a probe over "
            "each other and the flights as ghosts in the view. Ctrl or Shift and click, or a rubber "
            "band, selects several."));
-    layout->addWidget(m_watch);
-    layout->addWidget(m_compare);
-    layout->addWidget(m_apply);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    for (QPushButton* button : {m_watch, m_compare, m_apply})
+        buttons->addWidget(button);
+    auto* line = new QWidget; // beside each other, the words would be as narrow as a column
+    auto* layout = new QVBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_told);
+    layout->addLayout(buttons);
     return line;
 }
 
