@@ -11,15 +11,29 @@
 #include <numeric>
 
 namespace ripstop {
+namespace {
+
+RIPSTOP_INLINE void add(BlockCholesky::Block& sum, const BlockCholesky::Block& value)
+{
+    for (int c = 0; c < 3; ++c)
+        pack(sum.column[c]) += pack(value.column[c]);
+}
+
+} // namespace
 
 // Returns the sum that is minimised, kg m^2. Threads share the stripes of the grid, each with the
 // bars and panels of which the first row is in it.
-double DirectSolver::assemble(const System& system, ThreadPool& pool)
+double DirectSolver::assemble(ThreadPool& pool)
 {
     const auto addPanels = [&](std::size_t first, std::size_t last) {
-        for (const ElasticPanel& panel : m_panels.panels().subspan(first, last - first))
-            if (!panel.gone)
-                addTriple(panel, m_panels.block(system, panel));
+        TripleBlock block;
+        for (std::size_t i = first; i < last; ++i) {
+            const ElasticPanel& panel = m_panels.panels()[i];
+            if (panel.gone)
+                continue;
+            m_panels.fillBlock(i, block);
+            addTriple(panel, block);
+        }
     };
     double twice = 0.0;
     if (m_iterates) {
@@ -126,82 +140,78 @@ void DirectSolver::addContacts()
     });
 }
 
-void DirectSolver::addTriple(const Triple& triple, TripleBlock block)
+void DirectSolver::addTriple(const Triple& triple, const TripleBlock& block)
 {
-    const auto add = [](BlockCholesky::Block& sum, const Mat3& value) {
-        for (int c = 0; c < 3; ++c)
-            for (int r = 0; r < 3; ++r)
-                sum.column[c][r] += value(r, c);
-    };
-    const auto onto = [&](std::uint32_t row) {
-        Mat3 free;
-        for (int c = 0; c < 3; ++c)
-            free.col(c) = m_guides[row].freePart(Vec3::Unit(c));
-        return free;
-    };
-    if (!m_guides.empty() && !m_iterates) {
-        const std::array<Mat3, 3> free{onto(triple.row[0]), onto(triple.row[1]),
-                                       onto(triple.row[2])};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [from, to] = sidesOfTriple[k];
-            block.corner[k] = free[k] * block.corner[k] * free[k];
-            block.pair[k] = free[from] * block.pair[k] * free[to];
-            block.pull[k] = free[k] * block.pull[k];
-        }
+    if (m_guides.empty() || m_iterates)
+        return addFreeTriple(triple, block);
+    const std::array<Mat3, 3> free{onGuides(triple.row[0]), onGuides(triple.row[1]),
+                                   onGuides(triple.row[2])};
+    TripleBlock kept;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto [from, to] = sidesOfTriple[k];
+        const auto& pull = block.pull[k].v;
+        const Vec3 left = free[k] * Vec3(pull[0], pull[1], pull[2]);
+        kept.corner[k] = blockOf(free[k] * matrixOf(block.corner[k]) * free[k]);
+        kept.pair[k] = blockOf(free[from] * matrixOf(block.pair[k]) * free[to]);
+        kept.pull[k] = {{left[0], left[1], left[2], 0.0}};
     }
+    addFreeTriple(triple, kept);
+}
+
+RIPSTOP_CLONES
+void DirectSolver::addFreeTriple(const Triple& triple, const TripleBlock& block)
+{
+    const std::size_t count = m_mass.size();
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t from = triple.row[sidesOfTriple[k].first];
         const std::uint32_t to = triple.row[sidesOfTriple[k].second];
-        if (from < nodes()) {
+        if (from < count) {
             add(diagonal(from), block.corner[k]);
-            for (int c = 0; c < 3; ++c)
-                m_move[from].v[c] += block.pull[k][c];
+            pack(m_move[from].v) += pack(block.pull[k].v);
         }
         if (triple.pair[k] < 0)
             continue;
         const bool rowsOfFrom = m_iterates ? from < to : m_factor.isLater(from, to);
         add(pair(std::size_t(triple.pair[k])),
-            rowsOfFrom ? block.pair[k] : Mat3(block.pair[k].transpose()));
+            rowsOfFrom ? block.pair[k] : transposed(block.pair[k]));
     }
+}
+
+// P of a row.
+Mat3 DirectSolver::onGuides(std::uint32_t row) const
+{
+    Mat3 free;
+    for (int c = 0; c < 3; ++c)
+        free.col(c) = m_guides[row].freePart(Vec3::Unit(c));
+    return free;
 }
 
 // What assemble() adds of a bar, with P on either side. The row of a pair's block is the node that
 // is eliminated later.
 void DirectSolver::addOnGuides(const Bar& bar)
 {
-    const auto onto = [&](std::uint32_t row) {
-        Eigen::Matrix3d free;
-        for (int c = 0; c < 3; ++c)
-            free.col(c) = m_guides[row].freePart(Vec3::Unit(c));
-        return free;
-    };
     const Vec3 n(bar.direction.v[0], bar.direction.v[1], bar.direction.v[2]);
     const double along = 1.0 / bar.softness;
     const double across = bar.rest == 0.0 ? along : std::max(bar.multiplier, 0.0) / bar.length;
-    const Eigen::Matrix3d stiffness =
-        (along - across) * n * n.transpose() + across * Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d ontoA = onto(bar.a), ontoB = onto(bar.b);
-    const auto add = [](BlockCholesky::Block& block, const Eigen::Matrix3d& value) {
-        for (int c = 0; c < 3; ++c)
-            for (int r = 0; r < 3; ++r)
-                block.column[c][r] += value(r, c);
-    };
+    const Mat3 stiffness =
+        (along - across) * n * n.transpose() + across * Mat3::Identity();
+    const Mat3 ontoA = onGuides(bar.a), ontoB = onGuides(bar.b);
     const auto pull = [&](std::uint32_t row, const Vec3& force) {
         for (int c = 0; c < 3; ++c)
             m_move[row].v[c] += force[c];
     };
     if (bar.a < nodes()) {
-        add(diagonal(bar.a), ontoA * stiffness * ontoA);
+        add(diagonal(bar.a), blockOf(ontoA * stiffness * ontoA));
         pull(bar.a, ontoA * (along * bar.stretch * n));
     }
     if (bar.b < nodes()) {
-        add(diagonal(bar.b), ontoB * stiffness * ontoB);
+        add(diagonal(bar.b), blockOf(ontoB * stiffness * ontoB));
         pull(bar.b, ontoB * (-along * bar.stretch * n));
     }
     if (bar.pair >= 0) {
         const bool aIsRow = m_factor.isLater(bar.a, bar.b);
-        add(pair(std::size_t(bar.pair)), aIsRow ? Eigen::Matrix3d(-ontoA * stiffness * ontoB)
-                                                : Eigen::Matrix3d(-ontoB * stiffness * ontoA));
+        add(pair(std::size_t(bar.pair)), blockOf(aIsRow ? Mat3(-ontoA * stiffness * ontoB)
+                                                        : Mat3(-ontoB * stiffness * ontoA)));
     }
 }
 

@@ -137,7 +137,7 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
     m_pulls = orderedSum(pool, m_bars.size(), [&](std::size_t first, std::size_t last) {
         return startBars(task, multiplier, first, last);
     });
-    m_panels.start(task.system, task.gone, {task.before, task.drift, task.substep, task.h});
+    m_panels.start(task.system, task.gone, {task.before, task.drift, task.substep, task.h}, pool);
     m_bends.start(task.system, task.torn, task.h);
 }
 
@@ -160,7 +160,6 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
 {
     if (isEmpty())
         return 0;
-    const System& system = task.system;
     pool.parallelFor(m_particle.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const Vec3& x = task.position[std::size_t(m_particle[i])];
@@ -176,7 +175,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     if ((m_iterates || !m_panels.empty()) && !task.before.empty())
         startNearer(task, pool);
     else
-        measure(system, pool);
+        measure(pool);
     m_contacts.follow(rowsThatMove(), m_mass, m_position);
     m_pulls += m_panels.energy();
     m_tripleErrors = 0.0;
@@ -184,19 +183,19 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     double share = 1.0; // of the last move
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
-        const double before = assemble(system, pool);
-        if (!solveForMoves(system, pool)) // something is not a number, which the watchdog will see
+        const double before = assemble(pool);
+        if (!solveForMoves(pool)) // something is not a number, which the watchdog will see
             break;
         moveAlongGuides();
-        const Arrival arrival = arrive(system, pool);
+        const Arrival arrival = arrive(pool);
         near = arrival.worst < tolerance
                && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(pulls())
                && m_contacts.isSettled(leftByNewton * m_accuracy, taken);
         share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
-            go(share *= 0.5, system, pool);
+            go(share *= 0.5, pool);
         if (share < 1.0)
-            takeShare(share, system);
+            takeShare(share);
         near &= m_contacts.follow(rowsThatMove(), m_mass, m_position);
     }
 
@@ -259,7 +258,7 @@ double DirectSolver::energyLeft(double share) const
 }
 
 // Of a move that went only part of its way.
-void DirectSolver::takeShare(double share, const System& system)
+void DirectSolver::takeShare(double share)
 {
     m_pulls = 0.0;
     for (Bar& bar : m_bars) {
@@ -269,7 +268,7 @@ void DirectSolver::takeShare(double share, const System& system)
     m_panels.settle(share);
     m_bends.settle(share);
     m_contacts.settle(share);
-    const ElasticPanels::Account account = m_panels.account(system);
+    const ElasticPanels::Account account = m_panels.account();
     m_pulls += account.pulls;
     m_tripleErrors = account.errors + m_bends.errors();
 }
@@ -309,16 +308,16 @@ void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
         });
     here += m_bends.measure(m_from) + m_contacts.energyAt(m_from);
     nearer += m_contacts.energyAt(m_position);
-    nearer += m_bends.measure(m_position) + m_panels.measure(task.system, m_position);
+    nearer += m_bends.measure(m_position) + m_panels.measure(m_position, pool);
     if (nearer < here)
         return;
     std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
-    const bool isSure = m_panels.hasMoreThan(nearer - here, task.system, m_position);
-    if (!isSure && nearer >= here + m_panels.measure(task.system, m_position))
-        return measure(task.system, pool);
+    const bool isSure = m_panels.hasMoreThan(nearer - here, m_position);
+    if (!isSure && nearer >= here + m_panels.measure(m_position, pool))
+        return measure(pool);
     std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
     if (!isSure)
-        m_panels.measure(task.system, m_position);
+        m_panels.measure(m_position, pool);
 }
 
 // Of rods, with their ends where m_from has them and where m_position does.
@@ -341,10 +340,10 @@ DirectSolver::Starts DirectSolver::startsOf(std::size_t first, std::size_t last)
 }
 
 // Puts the moves in place of the right-hand side.
-bool DirectSolver::solveForMoves(const System& system, ThreadPool& pool)
+bool DirectSolver::solveForMoves(ThreadPool& pool)
 {
     m_left = 0.0;
-    if (m_iterates && !iterate(system, pool))
+    if (m_iterates && !iterate(pool))
         return false;
     if (m_iterates)
         return true;
@@ -355,7 +354,7 @@ bool DirectSolver::solveForMoves(const System& system, ThreadPool& pool)
 }
 
 // Where iterations are not soon at an end, and there is another way, takes that from now on.
-bool DirectSolver::iterate(const System& system, ThreadPool& pool)
+bool DirectSolver::iterate(ThreadPool& pool)
 {
     if (!m_grid.factorize(pool))
         return false;
@@ -369,7 +368,7 @@ bool DirectSolver::iterate(const System& system, ThreadPool& pool)
     if (m_hasFactor && m_left > goal) {
         m_left = 0.0;
         m_iterates = false;
-        assemble(system, pool);
+        assemble(pool);
     }
     return true;
 }
@@ -382,13 +381,13 @@ double DirectSolver::scaleOfErrors() const
 }
 
 // Measures rods, panels and bends with their ends where they are now.
-void DirectSolver::measure(const System& system, ThreadPool& pool)
+void DirectSolver::measure(ThreadPool& pool)
 {
     pool.parallelFor(m_bars.size(), [&](std::size_t first, std::size_t last) {
         for (Bar& bar : std::span(m_bars).subspan(first, last - first))
             ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
     });
-    m_panels.measure(system, m_position);
+    m_panels.measure(m_position, pool);
     m_bends.measure(m_position);
     m_contacts.measure(m_position);
 }
@@ -426,7 +425,7 @@ RIPSTOP_INLINE void DirectSolver::foresee(Bar& bar) const
 
 // Goes the whole way. One pass over the rods does all that has to be known of them there, since a
 // large network is more than the processor keeps near.
-DirectSolver::Arrival DirectSolver::arrive(const System& system, ThreadPool& pool)
+DirectSolver::Arrival DirectSolver::arrive(ThreadPool& pool)
 {
     pool.parallelFor(m_from.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
@@ -445,9 +444,9 @@ DirectSolver::Arrival DirectSolver::arrive(const System& system, ThreadPool& poo
     m_pulls = arrival.pulls;
     m_tripleErrors = 0.0;
     if (!m_panels.empty()) {
-        m_panels.foresee(system, m_move);
-        m_panels.measure(system, m_position);
-        const ElasticPanels::Account account = m_panels.account(system);
+        m_panels.foresee(m_move, pool);
+        m_panels.measure(m_position, pool);
+        const ElasticPanels::Account account = m_panels.account();
         m_pulls += account.pulls;
         m_tripleErrors = account.errors;
     }
@@ -476,11 +475,11 @@ DirectSolver::Arrival DirectSolver::arriveOf(std::size_t first, std::size_t last
     return arrival;
 }
 
-void DirectSolver::go(double share, const System& system, ThreadPool& pool)
+void DirectSolver::go(double share, ThreadPool& pool)
 {
     for (std::size_t i = 0; i < m_from.size(); ++i)
         pack(m_position[i].v) = pack(m_from[i].v) + share * pack(m_move[i].v);
-    measure(system, pool);
+    measure(pool);
 }
 
 // The sum that is minimised, for the rods that are active now; kg m^2.

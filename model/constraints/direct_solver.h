@@ -124,22 +124,24 @@ private:
     void shareOutStripes();
     void takeValues(const System& system);
     void soften(const System& system, double h);
-    void measure(const System& system, ThreadPool& pool);
-    double assemble(const System& system, ThreadPool& pool);
+    void measure(ThreadPool& pool);
+    double assemble(ThreadPool& pool);
     double addMasses(std::size_t first, std::size_t last);
     double addBars(std::size_t first, std::size_t last);
-    void addTriple(const Triple& triple, TripleBlock block);
+    void addTriple(const Triple& triple, const TripleBlock& block);
+    void addFreeTriple(const Triple& triple, const TripleBlock& block);
+    Mat3 onGuides(std::uint32_t row) const;
     void addContacts();
     void foresee(Bar& bar) const;
-    Arrival arrive(const System& system, ThreadPool& pool);
+    Arrival arrive(ThreadPool& pool);
     Arrival arriveOf(std::size_t first, std::size_t last);
-    void takeShare(double share, const System& system);
+    void takeShare(double share);
     void startNearer(const RodTask& task, ThreadPool& pool);
     Starts startsOf(std::size_t first, std::size_t last);
     double startBars(const RodTask& task, std::span<const double> multiplier, std::size_t first,
                      std::size_t last);
-    bool solveForMoves(const System& system, ThreadPool& pool);
-    bool iterate(const System& system, ThreadPool& pool);
+    bool solveForMoves(ThreadPool& pool);
+    bool iterate(ThreadPool& pool);
     double scaleOfErrors() const; // sqrt(kg) m
     double pullsThatMatter(const System& system) const;
     double pulls() const { return std::max(m_pulls, m_leastPulls); } // kg m^2
@@ -160,7 +162,7 @@ private:
     {
         return m_iterates ? m_grid.pair(index) : m_factor.pair(index);
     }
-    void go(double share, const System& system, ThreadPool& pool);
+    void go(double share, ThreadPool& pool);
     double merit() const;
     void findIslands();
     void keepCenters();

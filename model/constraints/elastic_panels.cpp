@@ -1,6 +1,7 @@
-// Each panel is looked at by itself, in the order of System::membranes or of rows; sums are added
-// in that order. Gradients of the corners are the rows of the inverse of the panel's shape, that of
-// the first corner being minus the sum of the others.
+// Each panel is looked at by itself, in the order of System::membranes or of rows. What all of them
+// need at every place is the kernel's; what the matrix gets of a panel, once in an iteration, is
+// found here, with vectors of the plane in one pack. Gradients of the corners are the rows of the
+// inverse of the panel's shape, that of the first corner being minus the sum of the others.
 #include "constraints/elastic_panels.h"
 
 #include <algorithm>
@@ -9,74 +10,133 @@
 namespace ripstop {
 namespace {
 
-using Mat2 = Eigen::Matrix2d;
-using Gradient = std::array<double, 2>;
+// What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
+// cloth that folds switches between the two from one iteration to the next, and with nothing to
+// resist that it goes too far each time.
+constexpr double keptByFolds = 1e-3;
+
+} // namespace
+} // namespace ripstop
+
+#define RIPSTOP_KERNEL "constraints/elastic_kernel.inl"
+#include "parallel/for_each_machine.inl"
+
+namespace ripstop {
+namespace {
+
+struct Tension // N/m
+{
+    double warp, weft, shear;
+};
+
+struct Tangent // N/m, symmetric
+{
+    double warp, weft, shear, warpWeft, warpShear, weftShear;
+};
+
+RIPSTOP_INLINE Tension laneOf(const Coordinates& tension, int lane)
+{
+    return {tension.x[lane], tension.y[lane], tension.z[lane]};
+}
+
+RIPSTOP_INLINE Tangent laneOf(const ClothStiffnessPack& s, int lane)
+{
+    return {s.warp[lane],     s.weft[lane],      s.shear[lane],
+            s.warpWeft[lane], s.warpShear[lane], s.weftShear[lane]};
+}
+
+void put(Coordinates& into, int lane, const Vec3& value)
+{
+    into.x[lane] = value[0];
+    into.y[lane] = value[1];
+    into.z[lane] = value[2];
+}
+
+struct Square // of warp and weft, by row and column
+{
+    double ww, wf, fw, ff;
+};
 
 // How the strain changes as a corner moves, in the frame of where the warp and the weft have gone,
-// 1/m: that of the warp by the first, of the weft by the second, the shear by both, crosswise.
+// 1/m: that of the warp by `a`, of the weft by `b`, the shear by both, crosswise.
 struct StrainPerMove
 {
-    Gradient g;
+    double a, b;
 
     // In the places of one corner and of another, L^T C L'.
-    Mat2 between(const Mat3& c, const StrainPerMove& other) const
+    RIPSTOP_INLINE Square between(const Tangent& c, const StrainPerMove& other) const
     {
-        const auto [a, b] = g;
-        const auto [p, q] = other.g;
-        Mat2 m;
-        m(0, 0) = a * (c(0, 0) * p + c(0, 2) * q) + b * (c(2, 0) * p + c(2, 2) * q);
-        m(0, 1) = a * (c(0, 1) * q + c(0, 2) * p) + b * (c(2, 1) * q + c(2, 2) * p);
-        m(1, 0) = b * (c(1, 0) * p + c(1, 2) * q) + a * (c(2, 0) * p + c(2, 2) * q);
-        m(1, 1) = b * (c(1, 1) * q + c(1, 2) * p) + a * (c(2, 1) * q + c(2, 2) * p);
-        return m;
+        const double p = other.a, q = other.b;
+        return {a * (c.warp * p + c.warpShear * q) + b * (c.warpShear * p + c.shear * q),
+                a * (c.warpWeft * q + c.warpShear * p) + b * (c.weftShear * q + c.shear * p),
+                b * (c.warpWeft * p + c.weftShear * q) + a * (c.warpShear * p + c.shear * q),
+                b * (c.weft * q + c.weftShear * p) + a * (c.weftShear * q + c.shear * p)};
     }
 
-    Vec3 of(const ClothAxes& axes, const Vec3& move) const
+    // What a tension resists with where the panel turns, g_i . s g_j.
+    RIPSTOP_INLINE double across(const Tension& s, const StrainPerMove& other) const
     {
-        const double warp = axes[0].dot(move), weft = axes[1].dot(move);
-        return {g[0] * warp, g[1] * weft, g[1] * warp + g[0] * weft};
+        return a * (s.warp * other.a + s.shear * other.b)
+               + b * (s.shear * other.a + s.weft * other.b);
     }
 
-    Vec3 pull(const ClothAxes& axes, const Vec3& tension) const
+    RIPSTOP_INLINE Pack pull(const Pack& warp, const Pack& weft, const Tension& s) const
     {
-        return (g[0] * tension[0] + g[1] * tension[2]) * axes[0]
-               + (g[1] * tension[1] + g[0] * tension[2]) * axes[1];
+        return (a * s.warp + b * s.shear) * warp + (b * s.weft + a * s.shear) * weft;
     }
 };
 
 // The nearest tension that pushes nowhere.
-Vec3 pullingPart(const Vec3& tension)
+RIPSTOP_INLINE Tension pullingPart(const Tension& s)
 {
-    const double mean = 0.5 * (tension[0] + tension[1]);
-    const double half = 0.5 * (tension[0] - tension[1]);
-    const double radius = std::sqrt(half * half + tension[2] * tension[2]);
+    const double mean = 0.5 * (s.warp + s.weft);
+    const double half = 0.5 * (s.warp - s.weft);
+    const double radius = __builtin_sqrt(half * half + s.shear * s.shear);
     if (mean >= radius)
-        return tension;
+        return s;
     if (mean + radius <= 0.0)
-        return Vec3::Zero();
+        return {0.0, 0.0, 0.0};
     const double most = 0.5 * (mean + radius);
-    return {most * (1.0 + half / radius), most * (1.0 - half / radius), most * tension[2] / radius};
+    return {most * (1.0 + half / radius), most * (1.0 - half / radius), most * s.shear / radius};
 }
 
-Vec3 at(const Row& row) { return {row.v[0], row.v[1], row.v[2]}; }
-
-ClothAxes axesWith(const Membrane& membrane, const ElasticPanel& panel,
-                   std::span<const Row> position)
+struct PlacedPanel
 {
-    const Vec3 a = at(position[panel.row[0]]);
-    return axesOf(membrane, at(position[panel.row[1]]) - a, at(position[panel.row[2]]) - a);
-}
+    Pack warp; // 1, where it has gone
+    Pack weft;
+    double weight; // kg m^2 over N m
+    Tension pulling;
+    Tangent tangent;
 
-// What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
-// cloth that folds switches between the two from one iteration to the next, and with nothing to
-// resist that it goes too far each time.
-constexpr double kept = 1e-3;
+    RIPSTOP_INLINE PlacedPanel(const FourPanels& four, int lane)
+        : warp{four.axes[0].x[lane], four.axes[0].y[lane], four.axes[0].z[lane], 0.0}
+        , weft{four.axes[1].x[lane], four.axes[1].y[lane], four.axes[1].z[lane], 0.0}
+        , weight(four.weight[lane])
+        , pulling(pullingPart(laneOf(four.now.tension, lane)))
+        , tangent(laneOf(four.now.stiffness, lane))
+    {}
 
-Mat3 tangentOf(const ClothLaw& law, const ClothTension& now)
+    // Between two corners: the law, and the tension across their ways.
+    RIPSTOP_INLINE void fill(BlockCholesky::Block& block, const StrainPerMove& one,
+                             const StrainPerMove& other) const
+    {
+        const Square m = one.between(tangent, other);
+        const double across = weight * one.across(pulling, other);
+        const Pack alongWarp = weight * m.ww * warp + weight * m.fw * weft;
+        const Pack alongWeft = weight * m.wf * warp + weight * m.ff * weft;
+        for (int c = 0; c < 3; ++c) {
+            pack(block.column[c]) = alongWarp * warp[c] + alongWeft * weft[c];
+            block.column[c][c] += across;
+        }
+    }
+};
+
+// sum <- -(a + b)
+RIPSTOP_INLINE void takeBoth(BlockCholesky::Block& sum, const BlockCholesky::Block& a,
+                             const BlockCholesky::Block& b)
 {
-    if (now.state == ClothState::Taut)
-        return now.stiffness;
-    return (1.0 - kept) * now.stiffness + kept * stiffnessOf(law);
+    for (int c = 0; c < 3; ++c)
+        pack(sum.column[c]) = -(pack(a.column[c]) + pack(b.column[c]));
 }
 
 // Whether there is something to pull and something to move.
@@ -103,6 +163,7 @@ void ElasticPanels::prepare(const System& system, std::span<const std::uint32_t>
             panel.row[k] = row[std::size_t(system.panels[std::size_t(membrane.panel)].corner[k])];
         m_panels.push_back(panel);
     }
+    takeFours();
 }
 
 bool ElasticPanels::areOf(const System& system) const
@@ -116,7 +177,22 @@ bool ElasticPanels::areOf(const System& system) const
            && std::ranges::all_of(m_panels, stays);
 }
 
-void ElasticPanels::sortByRow() { std::ranges::stable_sort(m_panels, {}, firstRow); }
+void ElasticPanels::sortByRow()
+{
+    std::ranges::stable_sort(m_panels, {}, firstRow);
+    takeFours();
+}
+
+void ElasticPanels::takeFours()
+{
+    FourPanels none;
+    for (int lane = 0; lane < 4; ++lane)
+        none.law.clear(lane);
+    m_fours.assign((m_panels.size() + 3) / 4, none);
+    for (std::size_t i = 0; i < m_panels.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            m_fours[i / 4].row[k][i % 4] = m_panels[i].row[k];
+}
 
 void ElasticPanels::numberPairs(std::size_t nodes, std::vector<std::pair<int, int>>& pairs)
 {
@@ -124,137 +200,132 @@ void ElasticPanels::numberPairs(std::size_t nodes, std::vector<std::pair<int, in
         ripstop::numberPairs(panel, nodes, pairs);
 }
 
-void ElasticPanels::start(const System& system, std::span<const std::uint8_t> gone,
-                          const RodPast& past)
+// Goes over the fours of a range of panels.
+template <typename Body> // body(fours)
+void ElasticPanels::inParallel(ThreadPool& pool, Body body)
 {
-    for (ElasticPanel& panel : m_panels) {
+    pool.parallelFor(m_panels.size(), [&](std::size_t first, std::size_t last) {
+        const std::size_t from = (first + 3) / 4, to = (last + 3) / 4;
+        body(std::span(m_fours).subspan(from, to - from));
+    });
+}
+
+void ElasticPanels::start(const System& system, std::span<const std::uint8_t> gone,
+                          const RodPast& past, ThreadPool& pool)
+{
+    inParallel(pool, [&](std::span<FourPanels> fours) {
+        for (FourPanels& four : fours)
+            startFour(system, gone, past, four);
+    });
+}
+
+void ElasticPanels::startFour(const System& system, std::span<const std::uint8_t> gone,
+                              const RodPast& past, FourPanels& four)
+{
+    const std::size_t first = 4 * std::size_t(&four - m_fours.data());
+    Pack share{}; // r
+    Coordinates last{}, back{};
+    for (std::size_t k = 0; k < std::min<std::size_t>(4, m_panels.size() - first); ++k) {
+        ElasticPanel& panel = m_panels[first + k];
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        const ClothLaw law = lawOf(system, membrane);
+        const int lane = int(k);
         panel.gone = gone[std::size_t(membrane.panel)] != 0;
-        const Corners corners = cornersOf(system, membrane, past.before);
-        const Vec3 last = strainAt(membrane, corners);
-        panel.offset.setZero();
-        panel.weight = past.reach * past.reach * membrane.area;
+        four.weight[lane] = panel.gone ? 0.0 : past.reach * past.reach * membrane.area;
+        const ClothLaw law = lawOf(system, membrane);
+        if (panel.gone)
+            four.law.clear(lane);
+        else
+            four.law.set(lane, law);
+        for (std::size_t i = 0; i < 4; ++i)
+            four.shape[i][lane] = membrane.shape[i];
         if (law.dampingTime == 0.0)
             continue;
-        Vec3 pulling = pullingStrain(law, last);
-        if (!past.drift.empty()) {
-            const Corners way = cornersOf(system, membrane, past.drift);
-            Corners back = corners;
-            for (std::size_t k = 0; k < 3; ++k)
-                back[k] -= past.h * way[k];
-            pulling = (4.0 * pulling - pullingStrain(law, strainAt(membrane, back))) / 3.0;
-        }
-        const double share = law.dampingTime / (law.dampingTime + past.reach);
-        panel.offset = share * pulling;
-        panel.weight /= 1.0 - share;
+        share[lane] = law.dampingTime / (law.dampingTime + past.reach);
+        four.weight[lane] /= 1.0 - share[lane];
+        Corners corners = cornersOf(system, membrane, past.before);
+        put(last, lane, strainAt(membrane, corners));
+        if (past.drift.empty())
+            continue;
+        const Corners way = cornersOf(system, membrane, past.drift);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            corners[corner] -= past.h * way[corner];
+        put(back, lane, strainAt(membrane, corners));
     }
+    const auto leaveThreads = wideMachine ? wide::leaveThreads : anywhere::leaveThreads;
+    leaveThreads(four.law, last);
+    if (!past.drift.empty()) {
+        leaveThreads(four.law, back);
+        last = {(4.0 * last.x - back.x) / 3.0, (4.0 * last.y - back.y) / 3.0,
+                (4.0 * last.z - back.z) / 3.0};
+    }
+    four.offset = {share * last.x, share * last.y, share * last.z};
 }
 
 double ElasticPanels::energy() const
 {
     double twice = 0.0;
-    for (const ElasticPanel& panel : m_panels)
-        if (!panel.gone)
-            twice += 2.0 * panel.weight * panel.law.energy;
+    for (const FourPanels& four : m_fours)
+        for (int lane = 0; lane < 4; ++lane)
+            twice += 2.0 * four.weight[lane] * four.now.energy[lane];
     return twice;
 }
 
-bool ElasticPanels::hasMoreThan(double twice, const System& system,
-                                std::span<const Row> position) const
+bool ElasticPanels::hasMoreThan(double twice, std::span<const Row> position) const
 {
-    for (const ElasticPanel& panel : m_panels) {
-        if (panel.gone)
-            continue;
-        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        const Vec3 strain = strainOf(axesWith(membrane, panel, position)) - panel.offset;
-        twice -= 2.0 * panel.weight * leastEnergyOf(lawOf(system, membrane), strain);
-        if (twice < 0.0)
-            return true;
-    }
-    return false;
+    return (wideMachine ? wide::takeAll : anywhere::takeAll)(m_fours, position.data(), twice);
 }
 
-double ElasticPanels::measure(const System& system, std::span<const Row> position)
+double ElasticPanels::measure(std::span<const Row> position, ThreadPool& pool)
 {
-    for (ElasticPanel& panel : m_panels) {
-        if (panel.gone)
-            continue;
-        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        panel.axes = axesWith(membrane, panel, position);
-        panel.law = tensionOf(lawOf(system, membrane), strainOf(panel.axes) - panel.offset);
-    }
+    inParallel(pool, [&](std::span<FourPanels> fours) {
+        (wideMachine ? wide::measureFours : anywhere::measureFours)(fours, position.data());
+    });
     return energy();
 }
 
 // What the first corner has is minus what the two others have together, in each row and column.
-TripleBlock ElasticPanels::block(const System& system, const ElasticPanel& panel) const
+RIPSTOP_CLONES
+void ElasticPanels::fillBlock(std::size_t panel, TripleBlock& block) const
 {
-    const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-    const Vec3 pulling = pullingPart(panel.law.tension);
-    const Mat3 tangent = tangentOf(lawOf(system, membrane), panel.law);
-    const std::array<StrainPerMove, 2> perMove{StrainPerMove{gradient(membrane, 1)},
-                                               StrainPerMove{gradient(membrane, 2)}};
-    const auto between = [&](const StrainPerMove& one, const StrainPerMove& other) -> Mat3 {
-        const Mat2 m = panel.weight * one.between(tangent, other);
-        const double across = panel.weight
-                              * (one.g[0] * (pulling[0] * other.g[0] + pulling[2] * other.g[1])
-                                 + one.g[1] * (pulling[2] * other.g[0] + pulling[1] * other.g[1]));
-        Mat3 sum =
-            (m(0, 0) * panel.axes[0] + m(1, 0) * panel.axes[1]) * panel.axes[0].transpose()
-            + (m(0, 1) * panel.axes[0] + m(1, 1) * panel.axes[1]) * panel.axes[1].transpose();
-        sum.diagonal().array() += across;
-        return sum;
-    };
-    TripleBlock block;
-    block.corner[1] = between(perMove[0], perMove[0]);
-    block.corner[2] = between(perMove[1], perMove[1]);
-    block.pair[1] = between(perMove[0], perMove[1]);
-    block.pair[0] = -(block.corner[1] + block.pair[1].transpose()); // of the first and the second
-    block.pair[2] = -(block.corner[2] + block.pair[1].transpose()); // of the third and the first
-    block.corner[0] = -(block.pair[0] + block.pair[2].transpose());
-    for (std::size_t k = 0; k < 2; ++k)
-        block.pull[k + 1] = -panel.weight * perMove[k].pull(panel.axes, panel.law.tension);
-    block.pull[0] = -(block.pull[1] + block.pull[2]);
-    return block;
+    const FourPanels& four = m_fours[panel / 4];
+    const int lane = int(panel % 4);
+    const PlacedPanel at(four, lane);
+    const Tension tension = laneOf(four.now.tension, lane);
+    const StrainPerMove second{four.shape[0][lane], four.shape[1][lane]};
+    const StrainPerMove third{four.shape[2][lane], four.shape[3][lane]};
+    at.fill(block.corner[1], second, second);
+    at.fill(block.corner[2], third, third);
+    at.fill(block.pair[1], second, third);
+    takeBoth(block.pair[0], block.corner[1], transposed(block.pair[1])); // first and second
+    takeBoth(block.pair[2], block.corner[2], transposed(block.pair[1])); // third and first
+    takeBoth(block.corner[0], block.pair[0], transposed(block.pair[2]));
+
+    pack(block.pull[1].v) = -at.weight * second.pull(at.warp, at.weft, tension);
+    pack(block.pull[2].v) = -at.weight * third.pull(at.warp, at.weft, tension);
+    pack(block.pull[0].v) = -(pack(block.pull[1].v) + pack(block.pull[2].v));
 }
 
-void ElasticPanels::foresee(const System& system, std::span<const Row> move)
+void ElasticPanels::foresee(std::span<const Row> move, ThreadPool& pool)
 {
-    for (ElasticPanel& panel : m_panels) {
-        if (panel.gone)
-            continue;
-        panel.before = panel.law.tension;
-        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        const Vec3 first = at(move[panel.row[0]]);
-        Vec3 change = Vec3::Zero();
-        for (int k = 1; k < 3; ++k)
-            change += StrainPerMove{gradient(membrane, k)}.of(
-                panel.axes, at(move[panel.row[std::size_t(k)]]) - first);
-        panel.tension = panel.law.tension + tangentOf(lawOf(system, membrane), panel.law) * change;
-    }
+    inParallel(pool, [&](std::span<FourPanels> fours) {
+        (wideMachine ? wide::foreseeFours : anywhere::foreseeFours)(fours, move.data());
+    });
 }
 
 void ElasticPanels::settle(double share)
 {
-    for (ElasticPanel& panel : m_panels)
-        if (!panel.gone)
-            panel.tension = panel.before + share * (panel.tension - panel.before);
+    for (FourPanels& four : m_fours) {
+        Coordinates& tension = four.tension;
+        tension.x = four.before.x + share * (tension.x - four.before.x);
+        tension.y = four.before.y + share * (tension.y - four.before.y);
+        tension.z = four.before.z + share * (tension.z - four.before.z);
+    }
 }
 
-ElasticPanels::Account ElasticPanels::account(const System& system) const
+ElasticPanels::Account ElasticPanels::account() const
 {
     Account account;
-    for (const ElasticPanel& panel : m_panels) {
-        if (panel.gone)
-            continue;
-        const ClothLaw law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
-        const auto energyOf = [&](const Vec3& tension) {
-            return panel.weight * tension.dot(strainOf(law, tension));
-        };
-        account.pulls += energyOf(panel.tension);
-        account.errors += energyOf(panel.law.tension - panel.tension);
-    }
+    (wideMachine ? wide::addUp : anywhere::addUp)(m_fours, account);
     return account;
 }
 

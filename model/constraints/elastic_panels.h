@@ -7,13 +7,17 @@
 // latter, and what is wrinkled or slack keeps a thousandth of its taut stiffness: the matrix stays
 // positive.
 //
+// Four panels are computed at a time (elastic_kernel.inl), by as many threads as there are: what a
+// panel gets depends on no other. Sums are added panel by panel, in their order.
+//
 // Damping is Kelvin and Voigt's, as of rods (rod_damping.h): the strain that the threads had, e_b,
 // is looked back to, and the law is that of e - r e_b, stiffer by 1 / (1 - r).
 #pragma once
 
 #include "constraints/rod_damping.h"
 #include "constraints/triple.h"
-#include "parallel/simd_pack.h"
+#include "laws/cloth_pack.h"
+#include "parallel/thread_pool.h"
 #include "system/membrane.h"
 
 #include <array>
@@ -26,13 +30,22 @@ namespace ripstop {
 
 struct ElasticPanel : Triple
 {
-    int membrane = 0;            // in System::membranes
-    double weight = 0.0;         // kg m^2 over N m: h^2 A, stiffer by damping
-    Vec3 offset = Vec3::Zero();  // r e_b above
-    std::array<Vec3, 2> axes{};  // where the warp and the weft have gone
-    ClothTension law;            // where the corners are now, without what damping adds
-    Vec3 tension = Vec3::Zero(); // N/m, that the linear system gave
-    Vec3 before = Vec3::Zero();  // N/m, of the law where the move began
+    int membrane = 0; // in System::membranes
+};
+
+// The numbers of four panels side by side. The last four are filled up with panels that have no
+// weight and no law, as those have that are gone.
+struct FourPanels
+{
+    std::array<std::array<std::uint32_t, 4>, 3> row{}; // by corner, then panel
+    Pack shape[4]{};                                   // 1/m, PanelCut::shape
+    Pack weight{};                                     // kg m^2 over N m: h^2 A, stiffer by damping
+    ClothLawPack law;
+    Coordinates offset{};                // 1, r e_b above
+    std::array<Coordinates, 2> axes{};   // 1, where the warp and the weft have gone
+    ClothTensionPack now{};              // where the corners are, without what damping adds
+    Coordinates tension{};               // N/m, that the linear system gave
+    Coordinates before{};                // N/m, of the law where the move began
 };
 
 class ElasticPanels
@@ -56,19 +69,21 @@ public:
     std::span<const ElasticPanel> panels() const { return m_panels; }
 
     // Before a substep: which panels are left, and what damping looks back to.
-    void start(const System& system, std::span<const std::uint8_t> gone, const RodPast& past);
+    void start(const System& system, std::span<const std::uint8_t> gone, const RodPast& past,
+               ThreadPool& pool);
 
     // Where the rows are now; returns twice the energy of the law there, kg m^2.
-    double measure(const System& system, std::span<const Row> position);
+    double measure(std::span<const Row> position, ThreadPool& pool);
     double energy() const; // that again
 
     // Whether twice the energy there is surely more than this, kg m^2; mostly told by a few panels.
-    bool hasMoreThan(double twice, const System& system, std::span<const Row> position) const;
+    bool hasMoreThan(double twice, std::span<const Row> position) const;
 
-    TripleBlock block(const System& system, const ElasticPanel& panel) const;
+    // What one adds to the matrix, by its place in panels().
+    void fillBlock(std::size_t panel, TripleBlock& block) const;
 
     // Foresees the tension at the end of a move, as if the corners moved little; before measure().
-    void foresee(const System& system, std::span<const Row> move);
+    void foresee(std::span<const Row> move, ThreadPool& pool);
 
     // After measure(): what of the move was foreseen, as a share of it.
     void settle(double share);
@@ -80,14 +95,21 @@ public:
         double pulls = 0.0;
         double errors = 0.0;
     };
-    Account account(const System& system) const;
+    Account account() const;
 
     // How a panel gives way to a force in the plane, along its stiffer threads, over the square of
     // a substep `h`; 1/kg, 0 for one that has no stiffness.
     double softness(const System& system, const ElasticPanel& panel, double h) const;
 
 private:
+    void takeFours();
+    void startFour(const System& system, std::span<const std::uint8_t> gone, const RodPast& past,
+                   FourPanels& four);
+    template <typename Body>
+    void inParallel(ThreadPool& pool, Body body);
+
     std::vector<ElasticPanel> m_panels;
+    std::vector<FourPanels> m_fours;
 };
 
 } // namespace ripstop

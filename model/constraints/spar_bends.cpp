@@ -117,9 +117,10 @@ TripleBlock SparBends::block(const SparBend& bend) const
     TripleBlock block;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto [from, to] = sidesOfTriple[k];
-        block.corner[k] = bend.slope[k] * stiffness * bend.slope[k];
-        block.pair[k] = bend.slope[from] * stiffness * bend.slope[to];
-        block.pull[k] = -bend.slope[k] * bend.moment;
+        block.corner[k] = blockOf(bend.slope[k] * stiffness * bend.slope[k]);
+        block.pair[k] = blockOf(bend.slope[from] * stiffness * bend.slope[to]);
+        const Vec3 pull = -bend.slope[k] * bend.moment;
+        block.pull[k] = {{pull[0], pull[1], pull[2], 0.0}};
     }
     return block;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec3.h"
+#include "constraints/block_cholesky.h"
 
 #include <algorithm>
 #include <array>
@@ -31,10 +32,39 @@ inline std::uint32_t firstRow(const Triple& triple)
 // What one adds to the matrix and to the right-hand side.
 struct TripleBlock
 {
-    std::array<Mat3, 3> corner; // on the diagonal
-    std::array<Mat3, 3> pair;   // by side: rows of the first corner, columns of the second
-    std::array<Vec3, 3> pull;   // kg m
+    std::array<BlockCholesky::Block, 3> corner; // on the diagonal
+    std::array<BlockCholesky::Block, 3> pair;   // by side: rows of the first corner, columns of the
+                                                // second
+    std::array<Row, 3> pull;                    // kg m
 };
+
+inline BlockCholesky::Block blockOf(const Mat3& value)
+{
+    BlockCholesky::Block block;
+    for (int c = 0; c < 3; ++c)
+        pack(block.column[c]) = Pack{value(0, c), value(1, c), value(2, c), 0.0};
+    return block;
+}
+
+inline Mat3 matrixOf(const BlockCholesky::Block& block)
+{
+    Mat3 matrix;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            matrix(r, c) = block.column[c][r];
+    return matrix;
+}
+
+RIPSTOP_INLINE BlockCholesky::Block transposed(const BlockCholesky::Block& a)
+{
+    BlockCholesky::Block t;
+    for (int c = 0; c < 3; ++c) {
+        for (int r = 0; r < 3; ++r)
+            t.column[c][r] = a.column[r][c];
+        t.column[c][3] = 0.0;
+    }
+    return t;
+}
 
 // Adds the sides between two of the first `nodes` rows to the pairs of the matrix.
 inline void numberPairs(Triple& triple, std::size_t nodes, std::vector<std::pair<int, int>>& pairs)

@@ -19,9 +19,6 @@ RIPSTOP_INLINE Mask mayMeet(const PlacedObstacle& placed, const Coordinates& low
              | (high.y < all(placed.low.y())) | (high.z < all(placed.low.z())));
 }
 
-RIPSTOP_INLINE Pack lesser(Pack a, Pack b) { return a < b ? a : b; }
-RIPSTOP_INLINE Pack greater(Pack a, Pack b) { return a > b ? a : b; }
-
 RIPSTOP_INLINE Coordinates gathered(const PaddedVec3* v, std::size_t count)
 {
     return coordinates(pack(v[0]), pack(v[count > 1 ? 1 : 0]), pack(v[count > 2 ? 2 : 0]),

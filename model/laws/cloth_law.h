@@ -71,15 +71,10 @@ struct ClothTension
 // The law at a strain; `strain` as above: e1, e2 and g.
 ClothTension tensionOf(const ClothLaw& law, const Vec3& strain);
 
-// What of a strain the threads have; wrinkles take up the rest.
+// What of a strain the threads have; wrinkles take up the rest. The first is for a strain at which
+// the law is known.
+Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now);
 Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain);
-
-// J per m^2 that the energy at a strain is not below, in a few operations: what it pulls along the
-// warp or the weft alone.
-double leastEnergyOf(const ClothLaw& law, const Vec3& strain);
-
-// Of a taut cloth: the derivative of its tension by the strain, N/m.
-Mat3 stiffnessOf(const ClothLaw& law);
 
 // The strain that threads have where the tension is this one; what wrinkles take up is not in it.
 Vec3 strainOf(const ClothLaw& law, const Vec3& tension);

@@ -9,6 +9,7 @@
 
 #include "base/vec3.h"
 
+#include <cstdint>
 #include <cstdlib>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -29,7 +30,16 @@
 
 namespace ripstop {
 
-using Pack = double __attribute__((vector_size(32)));
+// Where machines of any kind hand them to the kernels for wide ones, they lie as these want them.
+using Pack = double __attribute__((vector_size(32), aligned(32)));
+using Mask = std::int64_t __attribute__((vector_size(32), aligned(32))); // all bits of a lane, or none
+
+struct alignas(32) Coordinates // of four vectors
+{
+    Pack x;
+    Pack y;
+    Pack z;
+};
 
 // Aligned rows of x, y, z and a zero.
 struct alignas(32) Row

@@ -29,8 +29,6 @@ RIPSTOP_INLINE Pack root(Pack x)
     return r;
 }
 
-using Mask = decltype(Pack{} < Pack{}); // all bits of a lane, or none
-
 RIPSTOP_INLINE bool any(Mask m)
 {
 #if RIPSTOP_WIDE
@@ -42,12 +40,8 @@ RIPSTOP_INLINE bool any(Mask m)
 
 RIPSTOP_INLINE Pack magnitude(Pack x) { return (Pack)((Mask)x & INT64_MAX); }
 
-struct Coordinates // of four vectors
-{
-    Pack x;
-    Pack y;
-    Pack z;
-};
+RIPSTOP_INLINE Pack lesser(Pack a, Pack b) { return a < b ? a : b; }
+RIPSTOP_INLINE Pack greater(Pack a, Pack b) { return a > b ? a : b; }
 
 RIPSTOP_INLINE Coordinates coordinates(Pack v0, Pack v1, Pack v2, Pack v3)
 {
@@ -68,6 +62,16 @@ RIPSTOP_INLINE Pack dot(const Coordinates& a, const Coordinates& b)
 RIPSTOP_INLINE Coordinates operator*(Pack s, const Coordinates& a)
 {
     return {s * a.x, s * a.y, s * a.z};
+}
+
+RIPSTOP_INLINE Coordinates operator+(const Coordinates& a, const Coordinates& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+RIPSTOP_INLINE Coordinates operator-(const Coordinates& a, const Coordinates& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 // Nothing is fused here, so that the product of parallel vectors is zero to the last bit.

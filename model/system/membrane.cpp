@@ -47,20 +47,6 @@ namespace {
 // 1, length over that at rest, of threads of this strain of Green's.
 double stretchOf(double strain) { return std::sqrt(std::max(1.0 + 2.0 * strain, 0.0)); }
 
-// As pullingStrain() of the cloth's law has it, of a tension that is known.
-Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now)
-{
-    switch (now.state) {
-    case ClothState::Slack:
-        return Vec3::Zero();
-    case ClothState::Wrinkled:
-        return strainOf(law, now.tension);
-    case ClothState::Taut:
-        break;
-    }
-    return strain;
-}
-
 // N/m, the largest principal tension as a tensile test has it: times the stretch of the cloth along
 // it, and so per width of the flat cloth.
 double pullAlongMost(const Vec3& tension, const Vec3& threads)
