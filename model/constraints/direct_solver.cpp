@@ -223,26 +223,24 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
 // Where particles would be in m_from, for the first look at obstacles: pulls of rods are taken as
 // they were, since a heavy load on a light rope presses it on by many times its own weight. Panels
 // are light and pull little for their masses.
+RIPSTOP_CLONES
 void DirectSolver::guessPushes(const RodTask& task)
 {
     std::copy_n(m_position.begin(), nodes(), m_from.begin());
     if (!task.contacts || !m_panels.empty() || !m_bends.empty())
         return;
-    const auto before = [&](std::uint32_t row) -> const Vec3& {
-        return task.before[std::size_t(m_particle[row])];
-    };
+    const std::size_t count = m_mass.size();
+    const auto* const before = task.before.data();
     for (const Bar& bar : m_bars) {
-        const Vec3 way = before(bar.b) - before(bar.a);
-        const double length = way.norm();
+        const Pack way = pack(before[m_particle[bar.b]]) - pack(before[m_particle[bar.a]]);
+        const double length = __builtin_sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
         if (bar.torn || length == 0.0)
             continue;
-        const Vec3 pull = pullOf(bar) / length * way; // kg m
-        for (int c = 0; c < 3; ++c) {
-            if (bar.a < nodes())
-                m_from[bar.a].v[c] += pull[c] / m_mass[bar.a];
-            if (bar.b < nodes())
-                m_from[bar.b].v[c] -= pull[c] / m_mass[bar.b];
-        }
+        const Pack pull = pullOf(bar) / length * way; // kg m
+        if (bar.a < count)
+            pack(m_from[bar.a].v) += pull / m_mass[bar.a];
+        if (bar.b < count)
+            pack(m_from[bar.b].v) -= pull / m_mass[bar.b];
     }
 }
 
