@@ -65,6 +65,14 @@ void drop(const std::vector<Id>& materials, Scene& scene, Network& network)
     });
 }
 
+// What is known to break does so, as the craft would.
+void tearByStrength(Material& material)
+{
+    if (material.warpStrength || material.weftStrength || material.lineStrength
+        || material.breakingMoment)
+        material.tearRule = TearRule::Strength;
+}
+
 // A hem runs along either yarn or across both, so that the weaker of them counts.
 void turnIn(const Material& cloth, Material& hem)
 {
@@ -80,10 +88,14 @@ void makeCloth(const Preset& cloth, const Preset* tape, const Preset* patch,
                const CraftMaterials& materials, Scene& scene, Network& network)
 {
     const Material numbers = numbersOf(cloth);
-    forEachMaterial(scene, materials.cloth, [&](Material& m) { give(m, cloth); });
+    forEachMaterial(scene, materials.cloth, [&](Material& m) {
+        give(m, cloth);
+        tearByStrength(m);
+    });
     forEachMaterial(scene, materials.patches, [&](Material& m) {
         give(m, cloth);
         addLayer(m, numbersOf(*patch));
+        tearByStrength(m);
     });
     forEachMaterial(scene, materials.hems, [&](Material& m) {
         if (tape)
@@ -91,6 +103,7 @@ void makeCloth(const Preset& cloth, const Preset* tape, const Preset* patch,
         else
             turnIn(numbers, m);
         m.dampingTime = numbers.dampingTime;
+        tearByStrength(m);
     });
     drop(materials.seams, scene, network);
     if (network.part().carrier != FabricKind::Panels)
@@ -103,6 +116,7 @@ void makeSpars(const Preset& spar, const CraftMaterials& materials, Scene& scene
         give(m, spar);
         m.dampingTime = sparDamping;
         m.diameter = 0.0; // the drag of spars is part of that of the sail
+        tearByStrength(m);
     });
     forEachMaterial(scene, materials.frame, [&](Material& m) {
         m.axialStiffness = numbersOf(spar).axialStiffness;
@@ -112,6 +126,7 @@ void makeSpars(const Preset& spar, const CraftMaterials& materials, Scene& scene
     forEachMaterial(scene, materials.wires, [&](Material& m) {
         m.lineStrength = cable.lineStrength;
         m.jointEfficiency = cable.jointEfficiency;
+        tearByStrength(m);
     });
 }
 
@@ -122,6 +137,7 @@ void makeLine(const Preset& cord, const CraftMaterials& materials, Scene& scene,
         give(m, cord);
         if (!(numbersOf(cord).diameter > 0.0))
             m.diameter = typed; // the library does not know it of all cords
+        tearByStrength(m);
     });
     drop(materials.doubled, scene, network);
 }

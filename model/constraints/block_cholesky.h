@@ -24,6 +24,13 @@ public:
         double column[3][4]; // the fourth row is zero
     };
 
+    // So much in one place of the diagonal, to be added to its column in one piece.
+    static RIPSTOP_INLINE Pack diagonalPart(int column, double value)
+    {
+        return Pack{column == 0 ? value : 0.0, column == 1 ? value : 0.0, column == 2 ? value : 0.0,
+                    0.0};
+    }
+
     // Analyses a pattern, which takes memory; nothing else does. `pairs` are the places off the
     // diagonal, in any order, each pair of nodes once or more.
     void analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs);

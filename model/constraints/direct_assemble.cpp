@@ -102,10 +102,8 @@ double DirectSolver::addBars(std::size_t first, std::size_t last)
         const double along = 1.0 / bar.softness;
         const double across = bar.rest == 0.0 ? along : std::max(bar.multiplier, 0.0) / bar.length;
         Pack column[3];
-        for (int c = 0; c < 3; ++c) {
-            column[c] = n * ((along - across) * n[c]);
-            column[c][c] += across;
-        }
+        for (int c = 0; c < 3; ++c)
+            column[c] = n * ((along - across) * n[c]) + BlockCholesky::diagonalPart(c, across);
         const Pack pull = n * (along * bar.stretch);
         if (bar.a < count) {
             BlockCholesky::Block& block = diagonal(bar.a);
@@ -193,8 +191,7 @@ void DirectSolver::addOnGuides(const Bar& bar)
     const Vec3 n(bar.direction.v[0], bar.direction.v[1], bar.direction.v[2]);
     const double along = 1.0 / bar.softness;
     const double across = bar.rest == 0.0 ? along : std::max(bar.multiplier, 0.0) / bar.length;
-    const Mat3 stiffness =
-        (along - across) * n * n.transpose() + across * Mat3::Identity();
+    const Mat3 stiffness = (along - across) * n * n.transpose() + across * Mat3::Identity();
     const Mat3 ontoA = onGuides(bar.a), ontoB = onGuides(bar.b);
     const auto pull = [&](std::uint32_t row, const Vec3& force) {
         for (int c = 0; c < 3; ++c)
@@ -210,8 +207,8 @@ void DirectSolver::addOnGuides(const Bar& bar)
     }
     if (bar.pair >= 0) {
         const bool aIsRow = m_factor.isLater(bar.a, bar.b);
-        add(pair(std::size_t(bar.pair)), blockOf(aIsRow ? Mat3(-ontoA * stiffness * ontoB)
-                                                        : Mat3(-ontoB * stiffness * ontoA)));
+        add(pair(std::size_t(bar.pair)),
+            blockOf(aIsRow ? Mat3(-ontoA * stiffness * ontoB) : Mat3(-ontoB * stiffness * ontoA)));
     }
 }
 

@@ -124,10 +124,9 @@ struct PlacedPanel
         const double across = weight * one.across(pulling, other);
         const Pack alongWarp = weight * m.ww * warp + weight * m.fw * weft;
         const Pack alongWeft = weight * m.wf * warp + weight * m.ff * weft;
-        for (int c = 0; c < 3; ++c) {
-            pack(block.column[c]) = alongWarp * warp[c] + alongWeft * weft[c];
-            block.column[c][c] += across;
-        }
+        for (int c = 0; c < 3; ++c)
+            pack(block.column[c]) =
+                alongWarp * warp[c] + alongWeft * weft[c] + BlockCholesky::diagonalPart(c, across);
     }
 };
 

@@ -41,11 +41,11 @@ struct FourPanels
     Pack shape[4]{};                                   // 1/m, PanelCut::shape
     Pack weight{};                                     // kg m^2 over N m: h^2 A, stiffer by damping
     ClothLawPack law;
-    Coordinates offset{};                // 1, r e_b above
-    std::array<Coordinates, 2> axes{};   // 1, where the warp and the weft have gone
-    ClothTensionPack now{};              // where the corners are, without what damping adds
-    Coordinates tension{};               // N/m, that the linear system gave
-    Coordinates before{};                // N/m, of the law where the move began
+    Coordinates offset{};              // 1, r e_b above
+    std::array<Coordinates, 2> axes{}; // 1, where the warp and the weft have gone
+    ClothTensionPack now{};            // where the corners are, without what damping adds
+    Coordinates tension{};             // N/m, that the linear system gave
+    Coordinates before{};              // N/m, of the law where the move began
 };
 
 class ElasticPanels

@@ -57,12 +57,15 @@ inline Mat3 matrixOf(const BlockCholesky::Block& block)
 
 RIPSTOP_INLINE BlockCholesky::Block transposed(const BlockCholesky::Block& a)
 {
+    const Pack x = pack(a.column[0]), y = pack(a.column[1]), z = pack(a.column[2]);
+    const Pack xy02 = __builtin_shufflevector(x, y, 0, 4, 2, 6);
+    const Pack xy1 = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+    const Pack z02 = __builtin_shufflevector(z, Pack{}, 0, 4, 2, 6);
+    const Pack z1 = __builtin_shufflevector(z, Pack{}, 1, 5, 3, 7);
     BlockCholesky::Block t;
-    for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r)
-            t.column[c][r] = a.column[r][c];
-        t.column[c][3] = 0.0;
-    }
+    pack(t.column[0]) = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
+    pack(t.column[1]) = __builtin_shufflevector(xy1, z1, 0, 1, 4, 5);
+    pack(t.column[2]) = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
     return t;
 }
 

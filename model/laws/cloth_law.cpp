@@ -1,25 +1,12 @@
-// One piece of cloth is looked at in all four lanes of the kernel, which has the law (cloth_kernel.inl).
+// One piece of cloth is looked at in all four lanes of the kernel, which has the law
+// (cloth_kernel.inl).
 #include "laws/cloth_law.h"
 
 #include "laws/cloth_pack.h"
 
-#include <algorithm>
 #include <cmath>
 
-namespace ripstop {
-namespace {
-
-struct ClothMoment
-{
-    ClothLawPack law;
-    Coordinates strain;
-    ClothTensionPack now;
-};
-
-} // namespace
-} // namespace ripstop
-
-#define RIPSTOP_KERNEL "laws/cloth_moment_kernel.inl"
+#define RIPSTOP_KERNEL "laws/cloth_lanes_kernel.inl"
 #include "parallel/for_each_machine.inl"
 
 namespace ripstop {
@@ -36,27 +23,39 @@ ClothLaw ClothLaw::of(double warp, double weft, double poisson, double shear)
     return law;
 }
 
+void followLaws(const ClothLawPack& law, const Coordinates& strain, ClothTensionPack& now)
+{
+    (wideMachine ? wide::follow : anywhere::follow)(law, strain, now);
+}
+
+ClothTension ClothTensionPack::of(int lane) const
+{
+    ClothTension one;
+    one.state = isTaut[lane]       ? ClothState::Taut
+                : isWrinkled[lane] ? ClothState::Wrinkled
+                                   : ClothState::Slack;
+    one.tension = {tension.x[lane], tension.y[lane], tension.z[lane]};
+    const auto& s = stiffness;
+    one.stiffness << s.warp[lane], s.warpWeft[lane], s.warpShear[lane], //
+        s.warpWeft[lane], s.weft[lane], s.weftShear[lane],              //
+        s.warpShear[lane], s.weftShear[lane], s.shear[lane];
+    one.energy = energy[lane];
+    return one;
+}
+
 ClothTension tensionOf(const ClothLaw& law, const Vec3& strain)
 {
-    ClothMoment moment;
+    ClothLawPack laws;
+    Coordinates strains;
     for (int lane = 0; lane < 4; ++lane) {
-        moment.law.set(lane, law);
-        moment.strain.x[lane] = strain[0];
-        moment.strain.y[lane] = strain[1];
-        moment.strain.z[lane] = strain[2];
+        laws.set(lane, law);
+        strains.x[lane] = strain[0];
+        strains.y[lane] = strain[1];
+        strains.z[lane] = strain[2];
     }
-    (wideMachine ? wide::follow : anywhere::follow)(moment);
-    const auto& [isTaut, isWrinkled, tension, s, energy] = moment.now;
-    ClothTension now;
-    now.state = isTaut[0]       ? ClothState::Taut
-                : isWrinkled[0] ? ClothState::Wrinkled
-                                : ClothState::Slack;
-    now.tension = {tension.x[0], tension.y[0], tension.z[0]};
-    now.stiffness << s.warp[0], s.warpWeft[0], s.warpShear[0], //
-        s.warpWeft[0], s.weft[0], s.weftShear[0],              //
-        s.warpShear[0], s.weftShear[0], s.shear[0];
-    now.energy = energy[0];
-    return now;
+    ClothTensionPack now;
+    followLaws(laws, strains, now);
+    return now.of(0);
 }
 
 Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now)

@@ -1,6 +1,6 @@
 // Four pieces of cloth side by side, as kernels have them (parallel/simd_pack.h): the law of
-// cloth_law.h in each lane, and what it makes of a strain. laws/cloth_kernel.inl computes with them.
-// Strains and tensions are Coordinates: along the warp, along the weft, and the shear.
+// cloth_law.h in each lane, and what it makes of a strain. laws/cloth_kernel.inl computes with
+// them. Strains and tensions are Coordinates: along the warp, along the weft, and the shear.
 #pragma once
 
 #include "laws/cloth_law.h"
@@ -61,6 +61,11 @@ struct ClothTensionPack // as ClothTension
     Coordinates tension;
     ClothStiffnessPack stiffness;
     Pack energy;
+
+    ClothTension of(int lane) const;
 };
+
+// What tensionOf() says of each lane, to the bit. Kernels include cloth_kernel.inl instead.
+void followLaws(const ClothLawPack& law, const Coordinates& strain, ClothTensionPack& now);
 
 } // namespace ripstop

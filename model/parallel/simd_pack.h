@@ -32,7 +32,8 @@ namespace ripstop {
 
 // Where machines of any kind hand them to the kernels for wide ones, they lie as these want them.
 using Pack = double __attribute__((vector_size(32), aligned(32)));
-using Mask = std::int64_t __attribute__((vector_size(32), aligned(32))); // all bits of a lane, or none
+using Mask =
+    std::int64_t __attribute__((vector_size(32), aligned(32))); // all bits of a lane, or none
 
 struct alignas(32) Coordinates // of four vectors
 {

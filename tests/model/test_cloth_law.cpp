@@ -1,6 +1,7 @@
 // The law of cloth in its plane (laws/cloth_law.h): moduli off the axes, the tension as the
 // derivative of the energy, and wrinkling as the least energy that it is.
 #include "laws/cloth_law.h"
+#include "laws/cloth_pack.h"
 #include "model/systems.h"
 #include "registered_test.h"
 
@@ -9,6 +10,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -153,6 +156,34 @@ private slots:
         const ClothTension now = tensionOf(law, {0.0, 0.0, 0.01});
         QVERIFY2(isNear(now.tension[2], 100.0, 1e-6), told(now.tension[2], 100.0));
         QVERIFY2(isNear(now.tension[0], 100.0, 1e-6), told(now.tension[0], 100.0));
+    }
+
+    // What is beside a piece of cloth, taut, wrinkled or slack, changes no bit of it.
+    void lanesAreApart()
+    {
+        const std::vector<ClothLaw> laws = someLaws();
+        const std::vector<Vec3> strains = someStrains(401);
+        std::array<int, 3> seen{};
+        for (std::size_t i = 0; i + 4 <= strains.size(); ++i) {
+            ClothLawPack law;
+            Coordinates strain;
+            for (std::size_t k = 0; k < 4; ++k) {
+                law.set(int(k), laws[(i + k) % laws.size()]);
+                strain.x[k] = strains[i + k][0];
+                strain.y[k] = strains[i + k][1];
+                strain.z[k] = strains[i + k][2];
+            }
+            ClothTensionPack now;
+            followLaws(law, strain, now);
+            for (std::size_t k = 0; k < 4; ++k) {
+                const ClothTension alone = tensionOf(laws[(i + k) % laws.size()], strains[i + k]);
+                const ClothTension beside = now.of(int(k));
+                ++seen[std::size_t(alone.state)];
+                QVERIFY(beside.state == alone.state && beside.energy == alone.energy
+                        && beside.tension == alone.tension && beside.stiffness == alone.stiffness);
+            }
+        }
+        QVERIFY(std::ranges::all_of(seen, [](int times) { return times > 100; }));
     }
 
     void boardsPush()

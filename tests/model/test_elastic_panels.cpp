@@ -214,17 +214,21 @@ private slots:
                     const Vec3 x = place[std::size_t(i)] + (i == p ? way : Vec3(Vec3::Zero()));
                     rows.push_back({{x.x(), x.y(), x.z(), 0.0}});
                 }
-                panels.start(*system, gone, {place, {}, 1.0, 1e9}); // damping counts for nothing
-                return panels.measure(*system, rows) / 1e18;
+                ThreadPool pool(1);
+                panels.start(*system, gone, {place, {}, 1.0, 1e9},
+                             pool); // damping counts for nothing
+                return panels.measure(rows, pool) / 1e18;
             };
             const double scale = energyAt(-1, Vec3::Zero());
             std::array<Vec3, 4> pull{};
             for (Vec3& each : pull)
                 each.setZero();
-            for (const ElasticPanel& panel : panels.panels()) {
-                const TripleBlock block = panels.block(*system, panel);
+            for (std::size_t i = 0; i < panels.panels().size(); ++i) {
+                TripleBlock block;
+                panels.fillBlock(i, block);
                 for (std::size_t k = 0; k < 3; ++k)
-                    pull[panel.row[k]] += block.pull[k] / 1e18;
+                    pull[panels.panels()[i].row[k]] +=
+                        Vec3(block.pull[k].v[0], block.pull[k].v[1], block.pull[k].v[2]) / 1e18;
             }
             for (int p = 0; p < 4; ++p)
                 for (int c = 0; c < 3; ++c) {

@@ -127,7 +127,8 @@ QVector<T> decoded(const QByteArray& values, qsizetype offset, QString& error)
         at += length;
     }
     QVector<T> list(qsizetype(bytes.size() / qsizetype(sizeof(T))));
-    std::memcpy(list.data(), bytes.data(), std::size_t(bytes.size()));
+    if (!list.isEmpty())
+        std::memcpy(list.data(), bytes.data(), std::size_t(bytes.size()));
     return list;
 }
 

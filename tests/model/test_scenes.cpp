@@ -199,7 +199,8 @@ private slots:
         for (std::size_t i = 1; i < tears.size(); ++i) // one in a step
             QVERIFY(std::ceil(tears[i].time / timeStep - 1e-6)
                     > std::ceil(tears[i - 1].time / timeStep - 1e-6));
-        for (const double tension : simulation.frame()->tension) // two halves
+        const auto frame = simulation.frame();
+        for (const double tension : frame->tension) // two halves
             QVERIFY(std::abs(tension) < 0.01 * 0.75);
     }
 

@@ -123,6 +123,14 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     showSelection();
 }
 
+// Closing takes the keyboard from a field, which then asks about what was typed: that is answered
+// while there is still something to ask.
+Inspector::~Inspector()
+{
+    if (QWidget* const field = focusWidget())
+        field->clearFocus();
+}
+
 QWidget* Inspector::field(std::string_view key, int axis) const
 {
     const PropertyForm* form = m_forms[std::size_t(m_subject.kind())];

@@ -34,6 +34,7 @@ class Inspector final : public QWidget
 
 public:
     Inspector(Document& document, Selection& selection, QWidget* parent = nullptr);
+    ~Inspector() override;
 
     // The field of a property in the form that is open, to focus it; null when there is none.
     // `axis` is that of a vector.
