@@ -8,6 +8,7 @@
 #include "cli/targets.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
+#include "study/kept_runs.h"
 #include "study/study_database.h"
 #include "study/study_report.h"
 #include "study/study_run.h"
@@ -49,6 +50,22 @@ std::string bestText(const OpenedStudy& opened, const StudyFlights& flights)
     for (const std::string& one : opened.assignments(best.front()))
         text += "\n                        " + one;
     return text + "\n";
+}
+
+// The recordings of the best, with what is wanted of each.
+std::string keptText(const OpenedStudy& opened, const StudyFlights& flights,
+                     const std::vector<std::size_t>& points)
+{
+    std::string text = "recordings kept         " + std::to_string(points.size()) + " of the best "
+                       + std::to_string(opened.study.keepCount) + '\n';
+    for (const std::size_t point : points) {
+        text += "    " + keptRun(opened, point).string() + ':';
+        for (const std::size_t measure : opened.wanted)
+            text += ' ' + opened.headings[measure] + ' '
+                    + shortNumber(flights[point]->measured[measure]) + ',';
+        text.back() = '\n';
+    }
+    return text;
 }
 
 // What is flown of a design that was edited since flights of the study were flown.
@@ -122,7 +139,14 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs, Ed
     if (!known)
         return fail(BadInput, known.message());
     followSearch(*opened, known->rows);
-    std::cerr << bestText(*opened, flightsOf(*opened, known->rows));
+    const StudyFlights flights = flightsOf(*opened, known->rows);
+    std::cerr << bestText(*opened, flights);
+    if (!flown->best)
+        return Done;
+    std::cerr << keptText(*opened, flights, *flown->best);
+    if (interrupted())
+        return fail(Interrupted, "Interrupted; the recordings of others that are best are missing. "
+                                 "Run it again to go on.");
     return Done;
 }
 
@@ -153,7 +177,7 @@ int status(const std::string& file, bool json, EditedDesign edited)
     const StudyFlights flights = flightsOf(*opened, known->rows);
     const auto [flown, torn, stopped, inaccurate] = tallyOf(flights);
     const std::size_t all = opened->points.count();
-    const std::size_t missing = missingPoints(*opened, flights).size();
+    const std::size_t missing = countOf(missingPoints(*opened, flights));
     const bool isFrontier = opened->study.plan.kind == StudyPlan::Kind::Frontier;
     if (json) {
         nlohmann::json best = nlohmann::json::array();
@@ -230,6 +254,8 @@ int merge(const std::string& file, EditedDesign edited, const std::string& outpu
                     return code;
             std::cerr << "The table has "
                       << pointsText(tallyOf(flights).flown, opened.points.count()) << ".\n";
+            if (opened.study.keep == KeptRuns::Best)
+                std::cerr << keptText(opened, flights, removeOvertaken(opened, flights));
             return int(Done);
         });
 }

@@ -58,10 +58,47 @@ std::string pathOf(const std::vector<Level>& levels, bool open)
 
 } // namespace
 
+TextPlace textPlace(std::string_view text, std::size_t offset)
+{
+    const std::string_view before = text.substr(0, offset);
+    const std::size_t lineBreak = before.rfind('\n');
+    return {std::size_t(std::count(before.begin(), before.end(), '\n')) + 1,
+            before.size() - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1};
+}
+
+std::size_t beginOfPath(std::string_view text, std::string_view path)
+{
+    std::vector<Level> levels;
+    std::size_t found = 0, longest = 0, before = 0; // before: where the last event ended
+    walkJson(text, 0, false, [&](const JsonEvent& event) {
+        const std::size_t begin = text.find_first_not_of(" \t\r\n,:", before);
+        before = event.end;
+        if (event.ends())
+            levels.pop_back();
+        else if (event.type == Type::Key)
+            levels.back().key = event.text;
+        else if (event.type != Type::Error && !levels.empty())
+            ++levels.back().count;
+        if (event.type == Type::Key || (!levels.empty() && levels.back().array && !event.ends())) {
+            const std::string here = pathOf(levels, false);
+            const bool holds = path.starts_with(here)
+                               && (path.size() == here.size() || path[here.size()] == '.'
+                                   || path[here.size()] == '[');
+            if (holds && here.size() > longest) {
+                longest = here.size();
+                found = begin;
+            }
+        }
+        if (event.begins())
+            levels.push_back({.array = event.type == Type::BeginArray});
+        return longest < path.size() && event.type != Type::Error;
+    });
+    return found;
+}
+
 JsonPlace placeOf(std::string_view text, std::size_t end)
 {
-    const std::string_view before = text.substr(0, end > 0 ? end - 1 : 0);
-    JsonPlace place{std::size_t(std::count(before.begin(), before.end(), '\n')) + 1, {}};
+    JsonPlace place{textPlace(text, end > 0 ? end - 1 : 0).line, {}};
 
     std::vector<Level> levels;
     Type last = Type::Null;

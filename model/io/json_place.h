@@ -19,6 +19,18 @@ struct JsonPlace
 // The place of the event with this `end`.
 JsonPlace placeOf(std::string_view text, std::size_t end);
 
+// Where a character of a text stands.
+struct TextPlace
+{
+    std::size_t line; // both from 1
+    std::size_t column;
+};
+TextPlace textPlace(std::string_view text, std::size_t offset);
+
+// Where the member or value of this path begins, the key first; without one of that path where that
+// begins which would hold it.
+std::size_t beginOfPath(std::string_view text, std::string_view path);
+
 // The value of a key of the object that starts at `begin`.
 struct JsonMember
 {

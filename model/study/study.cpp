@@ -1,5 +1,5 @@
-// readStudy() puts the name of the file before what studyOf() says, which reads the fields one
-// after the other (study_fields.h). studyText() writes what studyOf() reads.
+// studyIn() reads the fields one after the other (study_fields.h); readStudy() puts the name of the
+// file before what is wrong, and the line and column of the field.
 #include "study/study.h"
 
 #include "io/json_place.h"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <set>
 
 namespace ripstop {
@@ -19,8 +20,6 @@ namespace {
 using Json = StudyJson;
 using Fields = StudyFields;
 
-constexpr const char* formatName = "ripstop-study";
-constexpr int formatVersion = 1;
 constexpr int mostOfRange = 100'000;
 
 // 10000 for the middle of a range from 1000 to 100000 that is logarithmic.
@@ -50,10 +49,11 @@ void readRange(Fields& fields, StudyVariable& variable)
     const std::string scale = fields.text("scale");
     const bool isLog = scale == "log";
     if (!scale.empty() && !isLog && scale != "linear")
-        fields.say(Message("has %1 = \"%2\"; it is one of %3", fields.where("scale"), scale,
-                           "linear, log"));
+        fields.say("scale", Message("has %1 = \"%2\"; it is one of %3", fields.where("scale"),
+                                    scale, "linear, log"));
     if (!(from < to) || (isLog && !(from > 0.0))) {
-        fields.say(Message("has %1, which does not lead upwards, or not from above 0 where its "
+        fields.say("from",
+                   Message("has %1, which does not lead upwards, or not from above 0 where its "
                            "scale is log",
                            fields.where("from")));
         return;
@@ -80,37 +80,38 @@ void readDistribution(Fields& fields, StudyVariable& variable)
     else if (name == "triangular")
         spread = {Kind::Triangular, number("low"), number("high"), number("mode")};
     else
-        fields.say(Message("has %1 = \"%2\"; it is one of %3", fields.where("distribution"), name,
+        fields.say("distribution",
+                   Message("has %1 = \"%2\"; it is one of %3", fields.where("distribution"), name,
                            "uniform, normal, log_normal, triangular"));
     const bool hasEnds = spread.kind == Kind::Uniform || spread.kind == Kind::Triangular;
     const bool isInside =
         spread.kind != Kind::Triangular || (spread.c >= spread.a && spread.c <= spread.b);
     if (hasEnds && !(spread.a < spread.b && isInside))
-        fields.say(
-            Message("has %1, whose low, mode and high do not rise", fields.where("distribution")));
+        fields.say("distribution", Message("has %1, whose low, mode and high do not rise",
+                                           fields.where("distribution")));
     variable.spread = spread;
 }
 
 StudyVariable readVariable(const Json& json, const std::string& place,
-                           std::optional<Failure>& failure)
+                           std::optional<StudyFault>& fault)
 {
-    Fields fields(json, place, failure);
+    Fields fields(json, place, fault);
     StudyVariable variable;
     variable.name = fields.text("name");
     fields.each("paths", true, [&](const Json& path, const std::string& where) {
         if (path.is_string())
             variable.paths.push_back(path.get<std::string>());
         else
-            fields.say(Message("has %1, which is no text in quotation marks", where));
+            fields.sayAt(where, Message("has %1, which is no text in quotation marks", where));
     });
     if (variable.paths.empty())
-        fields.say(Message("has no %1", fields.where("paths")));
+        fields.say("", Message("has no %1", fields.where("paths")));
     if (variable.name.empty() && !variable.paths.empty())
         variable.name = variable.paths.front();
     if (fields.has("values"))
         fields.each("values", true, [&](const Json& value, const std::string& where) {
             if (value.is_object() || value.is_array() || value.is_null())
-                fields.say(Message("has %1, which is neither a number nor a text", where));
+                fields.sayAt(where, Message("has %1, which is neither a number nor a text", where));
             variable.values.push_back(valueText(value));
         });
     else if (fields.has("from"))
@@ -121,9 +122,9 @@ StudyVariable readVariable(const Json& json, const std::string& place,
     return variable;
 }
 
-StudyPlan readPlan(const Json& json, std::optional<Failure>& failure)
+StudyPlan readPlan(const Json& json, std::optional<StudyFault>& fault)
 {
-    Fields fields(json, "plan", failure);
+    Fields fields(json, "plan", fault);
     StudyPlan plan;
     plan.kind = fields.choice("kind", StudyPlan::Kind::Grid);
     using Kind = StudyPlan::Kind;
@@ -140,7 +141,8 @@ StudyPlan readPlan(const Json& json, std::optional<Failure>& failure)
         plan.generations = whole("generations", double(plan.generations), 1.0, 1e4);
         plan.polish = whole("polish", 0.0, 0.0, 1e4);
         if (plan.polish > 0 && !Polish::isThere())
-            fields.say(Message("has %1, and this Ripstop was built without NLopt, which polishes; "
+            fields.say("polish",
+                       Message("has %1, and this Ripstop was built without NLopt, which polishes; "
                                "leave it out",
                                fields.where("polish")));
     }
@@ -163,17 +165,18 @@ Measure measureIn(Fields& fields)
     return measure;
 }
 
-Measure readMeasure(const Json& json, const std::string& place, std::optional<Failure>& failure)
+Measure readMeasure(const Json& json, const std::string& place, std::optional<StudyFault>& fault)
 {
-    Fields fields(json, place, failure);
+    Fields fields(json, place, fault);
     const Measure measure = measureIn(fields);
     fields.refuseOthers();
     return measure;
 }
 
-Objective readObjective(const Json& json, const std::string& place, std::optional<Failure>& failure)
+Objective readObjective(const Json& json, const std::string& place,
+                        std::optional<StudyFault>& fault)
 {
-    Fields fields(json, place, failure);
+    Fields fields(json, place, fault);
     Objective objective;
     objective.measure = measureIn(fields);
     objective.goal = fields.choice("goal", Goal::Minimise);
@@ -185,9 +188,9 @@ Objective readObjective(const Json& json, const std::string& place, std::optiona
 
 // A measure with "atMost" or "atLeast", or an "outcome".
 Constraint readConstraint(const Json& json, const std::string& place,
-                          std::optional<Failure>& failure)
+                          std::optional<StudyFault>& fault)
 {
-    Fields fields(json, place, failure);
+    Fields fields(json, place, fault);
     Constraint constraint;
     if (fields.has("outcome")) {
         constraint.outcome = fields.choice("outcome", WantedOutcome::NoTear);
@@ -202,122 +205,110 @@ Constraint readConstraint(const Json& json, const std::string& place,
     return constraint;
 }
 
-// An optimisation needs something to look for, and a method that can.
-void checkGoals(const Study& study, std::optional<Failure>& failure)
+// What is best needs something that is wanted, and an optimisation a method that can.
+void checkGoals(const Study& study, std::optional<StudyFault>& fault)
 {
-    if (failure || study.plan.kind != StudyPlan::Kind::Optimise)
+    if (!fault && study.keep == KeptRuns::Best && study.objectives.empty())
+        fault = {"keep",
+                 Message("keeps the best flights, and has no objectives; say what is wanted")};
+    if (fault || study.plan.kind != StudyPlan::Kind::Optimise)
         return;
     const bool isSwarm = study.plan.method == StudyPlan::Method::ParticleSwarm;
     if (study.objectives.empty())
-        failure = Failure("has a plan that optimises, and no objectives; say what is wanted");
+        fault = {"plan",
+                 Message("has a plan that optimises, and no objectives; say what is wanted")};
     else if (study.objectives.size() > 1 && (isSwarm || study.plan.polish > 0))
-        failure = Failure("has several objectives, which the method nsga2 is for, without polish");
+        fault = {"plan",
+                 Message("has several objectives, which the method nsga2 is for, without polish")};
 }
 
 // A grid needs values, and what draws needs something to draw from.
-void checkVariables(const Study& study, std::optional<Failure>& failure)
+void checkVariables(const Study& study, std::optional<StudyFault>& fault)
 {
     std::set<std::string> names;
-    for (const StudyVariable& variable : study.variables) {
-        if (failure)
-            return;
+    for (std::size_t v = 0; v < study.variables.size() && !fault; ++v) {
+        const StudyVariable& variable = study.variables[v];
+        const std::string place = "variables[" + std::to_string(v) + ']';
         if (!names.insert(variable.name).second)
-            failure = Failure("has two variables that are called %1", variable.name);
+            fault = {place, Message("has two variables that are called %1", variable.name)};
         else if (study.plan.goesThroughValues() && variable.values.empty())
-            failure = Failure("has a plan that goes through values, and the variable %1 has none; "
-                              "give it \"values\", or \"from\", \"to\" and \"count\"",
-                              variable.name);
+            fault = {place, Message("has a plan that goes through values, and the variable %1 has "
+                                    "none; give it \"values\", or \"from\", \"to\" and "
+                                    "\"count\"",
+                                    variable.name)};
     }
 }
 
-Json distributionJson(const Distribution& spread)
+// Where a text is broken, as the reader of scenes tells it.
+std::optional<Failure> brokenPlace(const std::string& text)
 {
-    switch (spread.kind) {
-    case Distribution::Kind::Normal:
-        return {{"distribution", "normal"}, {"mean", spread.a}, {"deviation", spread.b}};
-    case Distribution::Kind::LogNormal:
-        return {{"distribution", "log_normal"}, {"median", spread.a}, {"deviation", spread.b}};
-    case Distribution::Kind::Triangular:
-        return {{"distribution", "triangular"},
-                {"low", spread.a},
-                {"high", spread.b},
-                {"mode", spread.c}};
-    case Distribution::Kind::Uniform:
-    case Distribution::Kind::Log: // of ranges alone, which variableJson() writes
-        break;
-    }
-    return {{"distribution", "uniform"}, {"low", spread.a}, {"high", spread.b}};
+    std::optional<Failure> failure;
+    walkJson(text, 0, true, [&](const JsonEvent& event) {
+        if (event.type != JsonEvent::Type::Error)
+            return true;
+        const TextPlace place = textPlace(text, event.end > 0 ? event.end - 1 : 0);
+        failure = Failure("is no study: line %1, column %2 %3", place.line, place.column,
+                          std::string(event.text));
+        return false;
+    });
+    return failure;
 }
 
-Json variableJson(const StudyVariable& variable)
+// Reads the fields, and names the place of the first that is wrong.
+Study studyIn(const Json& json, std::optional<StudyFault>& fault)
 {
-    Json json{{"name", variable.name}, {"paths", variable.paths}};
-    const bool isRange =
-        variable.spread
-        && (!variable.values.empty() || variable.spread->kind == Distribution::Kind::Log);
-    if (isRange) {
-        json["from"] = variable.spread->a;
-        json["to"] = variable.spread->b;
-        if (!variable.values.empty())
-            json["count"] = variable.values.size();
-        if (variable.spread->kind == Distribution::Kind::Log)
-            json["scale"] = "log";
-    } else if (variable.spread) {
-        json.update(distributionJson(*variable.spread));
-    } else {
-        json["values"] = variable.values;
-    }
-    return json;
+    Fields fields(json, {}, fault);
+    Study study;
+    fields.text("format");
+    fields.number("version", studyVersion, studyVersion, studyVersion);
+    study.title = fields.text("title");
+    study.scene = fields.text("scene", true);
+    study.controls = fields.text("controls");
+    study.seconds = fields.number("seconds", std::nan(""), 0.0, 1e9);
+    study.untilTear = fields.flag("untilTear");
+    study.keep = fields.choice("keep", KeptRuns::Nothing);
+    if (study.keep == KeptRuns::Best)
+        study.keepCount = int(fields.number("keepCount", study.keepCount, 1.0, mostKept));
+    fields.each("variables", true, [&](const Json& variable, const std::string& place) {
+        study.variables.push_back(readVariable(variable, place, fault));
+    });
+    if (const Json* plan = fields.find("plan", false))
+        study.plan = readPlan(*plan, fault);
+    fields.each("measures", false, [&](const Json& measure, const std::string& place) {
+        study.measures.push_back(readMeasure(measure, place, fault));
+    });
+    fields.each("objectives", false, [&](const Json& objective, const std::string& place) {
+        study.objectives.push_back(readObjective(objective, place, fault));
+    });
+    fields.each("constraints", false, [&](const Json& constraint, const std::string& place) {
+        study.constraints.push_back(readConstraint(constraint, place, fault));
+    });
+    fields.refuseOthers();
+    checkVariables(study, fault);
+    checkGoals(study, fault);
+    return study;
 }
 
-Json planJson(const StudyPlan& plan)
+// What cannot be read as a study at all, then the field that is wrong.
+//   says  how the failure of a field is said
+Result<Study> readText(const std::string& text,
+                       const std::function<Failure(const StudyFault&)>& says)
 {
-    Json json{{"kind", choiceNames<StudyPlan::Kind>[std::size_t(plan.kind)]}};
-    if (plan.kind == StudyPlan::Kind::Optimise) {
-        json["method"] = choiceNames<StudyPlan::Method>[std::size_t(plan.method)];
-        json["population"] = plan.population;
-        json["generations"] = plan.generations;
-        if (plan.polish > 0)
-            json["polish"] = plan.polish;
-        json["seed"] = plan.seed;
-    } else if (plan.count > 0) {
-        json["count"] = plan.count;
-        json["seed"] = plan.seed;
-    }
-    if (!plan.file.empty())
-        json["file"] = plan.file;
-    return json;
-}
-
-Json measureJson(const Measure& measure)
-{
-    Json json{{"probe", measure.probe},
-              {"reduction", choiceNames<Reduction>[std::size_t(measure.reduction)]}};
-    if (measure.reduction == Reduction::Percentile)
-        json["percent"] = measure.percent;
-    if (measure.from > 0.0)
-        json["from"] = measure.from;
-    if (std::isfinite(measure.to))
-        json["to"] = measure.to;
-    return json;
-}
-
-Json objectiveJson(const Objective& objective)
-{
-    Json json = measureJson(objective.measure);
-    json["goal"] = choiceNames<Goal>[std::size_t(objective.goal)];
-    if (objective.goal == Goal::Target)
-        json["target"] = objective.target;
-    return json;
-}
-
-Json constraintJson(const Constraint& constraint)
-{
-    if (constraint.kind == Constraint::Kind::Outcome)
-        return {{"outcome", choiceNames<WantedOutcome>[std::size_t(constraint.outcome)]}};
-    Json json = measureJson(constraint.measure);
-    json[constraint.kind == Constraint::Kind::AtMost ? "atMost" : "atLeast"] = constraint.limit;
-    return json;
+    if (const auto failure = brokenPlace(text))
+        return *failure;
+    const Json json = Json::parse(text, nullptr, false);
+    const auto has = [&](const char* key, const Json& value) {
+        return json.contains(key) && json[key] == value;
+    };
+    if (!json.is_object() || !has("format", studyFormat))
+        return Failure("is no study");
+    if (!has("version", studyVersion))
+        return Failure("was written by another version of Ripstop; use that");
+    std::optional<StudyFault> fault;
+    Study study = studyIn(json, fault);
+    if (fault)
+        return says(*fault);
+    return study;
 }
 
 } // namespace
@@ -337,68 +328,9 @@ StudyVariable rangeVariable(double from, double to, int count, bool isLogarithmi
     return variable;
 }
 
-// Where a text is broken, as the reader of scenes tells it.
-static std::optional<Failure> brokenPlace(const std::string& text)
-{
-    std::optional<Failure> failure;
-    walkJson(text, 0, true, [&](const JsonEvent& event) {
-        if (event.type != JsonEvent::Type::Error)
-            return true;
-        const std::size_t place = std::min(event.end > 0 ? event.end - 1 : 0, text.size());
-        const std::string_view before = std::string_view(text).substr(0, place);
-        const std::size_t lineBreak = before.rfind('\n');
-        const std::size_t column =
-            place - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1;
-        failure = Failure("is no study: line %1, column %2 %3", placeOf(text, event.end).line,
-                          column, std::string(event.text));
-        return false;
-    });
-    return failure;
-}
-
 Result<Study> studyOf(const std::string& text)
 {
-    if (const auto failure = brokenPlace(text))
-        return *failure;
-    const Json json = Json::parse(text, nullptr, false);
-    const auto says = [&](const char* key, const Json& value) {
-        return json.contains(key) && json[key] == value;
-    };
-    if (!json.is_object() || !says("format", formatName))
-        return Failure("is no study");
-    if (!says("version", formatVersion))
-        return Failure("was written by another version of Ripstop; use that");
-    std::optional<Failure> failure;
-    Fields fields(json, {}, failure);
-    Study study;
-    fields.text("format");
-    fields.number("version", formatVersion, formatVersion, formatVersion);
-    study.title = fields.text("title");
-    study.scene = fields.text("scene", true);
-    study.controls = fields.text("controls");
-    study.seconds = fields.number("seconds", std::nan(""), 0.0, 1e9);
-    study.untilTear = fields.flag("untilTear");
-    study.keep = fields.choice("keep", KeptRuns::Nothing);
-    fields.each("variables", true, [&](const Json& variable, const std::string& place) {
-        study.variables.push_back(readVariable(variable, place, failure));
-    });
-    if (const Json* plan = fields.find("plan", false))
-        study.plan = readPlan(*plan, failure);
-    fields.each("measures", false, [&](const Json& measure, const std::string& place) {
-        study.measures.push_back(readMeasure(measure, place, failure));
-    });
-    fields.each("objectives", false, [&](const Json& objective, const std::string& place) {
-        study.objectives.push_back(readObjective(objective, place, failure));
-    });
-    fields.each("constraints", false, [&](const Json& constraint, const std::string& place) {
-        study.constraints.push_back(readConstraint(constraint, place, failure));
-    });
-    fields.refuseOthers();
-    checkVariables(study, failure);
-    checkGoals(study, failure);
-    if (failure)
-        return *failure;
-    return study;
+    return readText(text, [](const StudyFault& fault) { return Failure("%1", fault.message); });
 }
 
 Result<Study> readStudy(const std::filesystem::path& file)
@@ -407,36 +339,14 @@ Result<Study> readStudy(const std::filesystem::path& file)
         readWholeFile(file, [](std::string_view) { return std::optional<Message>(); });
     if (!content)
         return content.failure();
-    auto study = studyOf(*content);
+    auto study = readText(*content, [&](const StudyFault& fault) {
+        const TextPlace place = textPlace(*content, beginOfPath(*content, fault.place));
+        return Failure("(line %1, column %2) %3", place.line, place.column, fault.message);
+    });
     if (!study)
         return Failure("%1 %2.", file.string(), study.message());
     study->folder = file.parent_path();
     return study;
-}
-
-std::string studyText(const Study& study)
-{
-    Json json{{"format", formatName}, {"version", formatVersion}};
-    if (!study.title.empty())
-        json["title"] = study.title;
-    json["scene"] = study.scene;
-    if (!study.controls.empty())
-        json["controls"] = study.controls;
-    json["seconds"] = study.seconds;
-    if (study.untilTear)
-        json["untilTear"] = true;
-    if (study.keep != KeptRuns::Nothing)
-        json["keep"] = choiceNames<KeptRuns>[std::size_t(study.keep)];
-    for (const StudyVariable& variable : study.variables)
-        json["variables"].push_back(variableJson(variable));
-    json["plan"] = planJson(study.plan);
-    for (const Measure& measure : study.measures)
-        json["measures"].push_back(measureJson(measure));
-    for (const Objective& objective : study.objectives)
-        json["objectives"].push_back(objectiveJson(objective));
-    for (const Constraint& constraint : study.constraints)
-        json["constraints"].push_back(constraintJson(constraint));
-    return json.dump(2) + '\n';
 }
 
 } // namespace ripstop

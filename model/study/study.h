@@ -82,11 +82,12 @@ inline constexpr std::array choiceNames<StudyPlan::Method>{"particle_swarm", "ns
 enum class KeptRuns {
     Nothing,
     Failed, // that tore or ended early
+    Best,   // `keepCount` of those that are best so far (kept_runs.h)
     All
 };
 
 template <>
-inline constexpr std::array choiceNames<KeptRuns>{"nothing", "failed", "all"};
+inline constexpr std::array choiceNames<KeptRuns>{"nothing", "failed", "best", "all"};
 
 struct Study
 {
@@ -101,11 +102,13 @@ struct Study
     std::vector<Objective> objectives;
     std::vector<Constraint> constraints;
     KeptRuns keep = KeptRuns::Nothing;
+    int keepCount = 5;            // of the best, 1 to mostKept
     std::filesystem::path folder; // where the files are that it names
 };
 
 inline constexpr std::string_view studyEnding = ".ripstop-study.json";
 inline constexpr double mostStudyPoints = 1e8;
+inline constexpr int mostKept = 1000; // of the best
 
 // Failures name the file and the field.
 Result<Study> readStudy(const std::filesystem::path& file);

@@ -19,17 +19,27 @@ namespace ripstop {
 
 using StudyJson = nlohmann::ordered_json;
 
+inline constexpr const char* studyFormat = "ripstop-study";
+inline constexpr int studyVersion = 1;
+
+// What is wrong with a study.
+struct StudyFault
+{
+    std::string place; // "variables[2].from"; of what holds it when it is missing
+    Message message;   // half a sentence
+};
+
 // The fields of an object, and the first thing that is wrong with them.
 class StudyFields
 {
 public:
-    StudyFields(const StudyJson& object, std::string place, std::optional<Failure>& failure)
+    StudyFields(const StudyJson& object, std::string place, std::optional<StudyFault>& fault)
         : m_object(object)
         , m_place(std::move(place))
-        , m_failure(failure)
+        , m_fault(fault)
     {
         if (!object.is_object())
-            say(Message("has %1, which is no object in braces", where({})));
+            say("", Message("has %1, which is no object in braces", where({})));
     }
 
     bool has(const char* key) const { return m_object.is_object() && m_object.contains(key); }
@@ -38,7 +48,7 @@ public:
     {
         const StudyJson* field = find(key, isNeeded);
         if (field && !field->is_string())
-            say(Message("has %1, which is no text in quotation marks", where(key)));
+            say(key, Message("has %1, which is no text in quotation marks", where(key)));
         return field && field->is_string() ? field->get<std::string>() : std::string();
     }
 
@@ -49,8 +59,8 @@ public:
             return usual;
         const double value = field->is_number() ? field->get<double>() : std::nan("");
         if (!(value >= least && value <= most)) {
-            say(Message("has %1, which is no number from %2 to %3", where(key),
-                        Message::number("%.6g", least), Message::number("%.6g", most)));
+            say(key, Message("has %1, which is no number from %2 to %3", where(key),
+                             Message::number("%.6g", least), Message::number("%.6g", most)));
             return usual;
         }
         return value;
@@ -60,7 +70,7 @@ public:
     {
         const StudyJson* field = find(key, false);
         if (field && !field->is_boolean())
-            say(Message("has %1, which is neither true nor false", where(key)));
+            say(key, Message("has %1, which is neither true nor false", where(key)));
         return field && field->is_boolean() && field->get<bool>();
     }
 
@@ -76,7 +86,7 @@ public:
                 return Choice(i);
             all += (i ? ", " : "") + std::string(choiceNames<Choice>[i]);
         }
-        say(Message("has %1 = \"%2\"; it is one of %3", where(key), name, all));
+        say(key, Message("has %1 = \"%2\"; it is one of %3", where(key), name, all));
         return usual;
     }
 
@@ -86,7 +96,7 @@ public:
     {
         const StudyJson* field = find(key, isNeeded);
         if (field && !field->is_array()) {
-            say(Message("has %1, which is no list in brackets", where(key)));
+            say(key, Message("has %1, which is no list in brackets", where(key)));
             return;
         }
         for (std::size_t i = 0; field && i < field->size(); ++i)
@@ -100,8 +110,9 @@ public:
         if (m_object.is_object())
             for (const auto& field : m_object.items())
                 if (!m_read.contains(field.key()))
-                    m_failure =
-                        Failure("has %1, which means nothing to this version", where(field.key()));
+                    m_fault = {
+                        where(field.key()),
+                        Message("has %1, which means nothing to this version", where(field.key()))};
     }
 
     std::string where(const std::string& key) const
@@ -109,10 +120,13 @@ public:
         return m_place.empty() ? key : key.empty() ? m_place : m_place + '.' + key;
     }
 
-    void say(Message message)
+    // Of a field, or of the object as a whole where a field is missing.
+    void say(const std::string& key, Message message) { sayAt(where(key), std::move(message)); }
+
+    void sayAt(std::string place, Message message)
     {
-        if (!m_failure)
-            m_failure = Failure(std::move(message));
+        if (!m_fault)
+            m_fault = {std::move(place), std::move(message)};
     }
 
     // The field, or null; says so where it is needed.
@@ -122,14 +136,14 @@ public:
         if (has(key))
             return &m_object[key];
         if (isNeeded)
-            say(Message("has no %1", where(key)));
+            say("", Message("has no %1", where(key)));
         return nullptr;
     }
 
 private:
     const StudyJson& m_object;
     std::string m_place;
-    std::optional<Failure>& m_failure;
+    std::optional<StudyFault>& m_fault;
     std::set<std::string> m_read;
 };
 

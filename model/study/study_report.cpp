@@ -184,7 +184,7 @@ void addOutcomes(ReportBlocks& blocks, const OpenedStudy& opened, const StudyFli
                       {{"outcome", "flights"},
                        row("points", flights.size()),
                        row("flown", tally.flown),
-                       row("not flown", missingPoints(opened, flights).size()),
+                       row("not flown", countOf(missingPoints(opened, flights))),
                        row("held", held),
                        row("something tore", tally.torn),
                        row("ended early", tally.stopped),

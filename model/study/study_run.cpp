@@ -1,17 +1,18 @@
 // flyMissing() reads what is known, and each of its threads takes the next point and adds a row
-// under a lock as soon as a flight is over; a search goes round again.
+// under a lock as soon as a flight is over; a search goes round again, and so does a study that
+// keeps the best, which are told from all rows.
 #include "study/study_run.h"
 
-#include "base/hash_text.h"
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
 #include "recording/recorder.h"
 #include "study/frontier_search.h"
+#include "study/kept_runs.h"
 #include "study/many.h"
-#include "study/probe_names.h"
 #include "study/study_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <set>
@@ -43,7 +44,7 @@ Result<std::optional<FlightResult>> flyAndKeep(const OpenedStudy& opened, std::s
     const KeptRuns keep = opened.study.keep;
     if (keep != KeptRuns::All) {
         auto flight = flyPoint(opened, point, isInterrupted);
-        if (!flight || keep == KeptRuns::Nothing || outcomeOf(&*flight) == FlightOutcome::Held)
+        if (!flight || keep != KeptRuns::Failed || outcomeOf(&*flight) == FlightOutcome::Held)
             return flight;
     }
     auto flown = flyRecorded(opened, point, isInterrupted);
@@ -55,6 +56,76 @@ Result<std::optional<FlightResult>> flyAndKeep(const OpenedStudy& opened, std::s
     return std::optional(std::move(flown->flight));
 }
 
+// Which points fly the same as one before them. Of grids that is told by their values, of all
+// others by a list of keys, which draws from a range do without: no two of them are the same.
+class RepeatedPoints
+{
+public:
+    explicit RepeatedPoints(const OpenedStudy& opened)
+        : m_opened(opened)
+        , m_isGrid(opened.study.plan.kind == StudyPlan::Kind::Grid)
+    {
+        const StudyPlan& plan = opened.study.plan;
+        const auto& variables = opened.study.variables;
+        const bool hasRange = std::ranges::any_of(variables, [](const auto& variable) {
+            return variable.spread
+                   && quantile(*variable.spread, 0.25) != quantile(*variable.spread, 0.75);
+        });
+        // what belongs together in a plan of sensitivity differs in one variable alone
+        m_isDistinct = plan.draws() && plan.kind != StudyPlan::Kind::Sensitivity && hasRange;
+        if (m_isGrid)
+            for (const StudyVariable& variable : variables)
+                m_isAgain.push_back(valuesAgain(opened, variable));
+    }
+
+    // Asked in order.
+    bool has(std::size_t point)
+    {
+        if (m_isDistinct)
+            return false;
+        if (!m_isGrid)
+            return !m_keys.insert(m_opened.key(point)).second;
+        for (std::size_t v = m_isAgain.size(); v-- > 0;) { // as gridPoint() has it
+            if (m_isAgain[v][point % m_isAgain[v].size()])
+                return true;
+            point /= m_isAgain[v].size();
+        }
+        return false;
+    }
+
+private:
+    // Whether each value of a variable stands before it already.
+    static std::vector<bool> valuesAgain(const OpenedStudy& opened, const StudyVariable& variable)
+    {
+        std::vector<bool> again;
+        std::set<std::string> before;
+        for (const std::string& value : variable.values) {
+            const auto track = opened.tracks.find(value);
+            const bool isTrack = track != opened.tracks.end();
+            again.push_back(!before.insert(isTrack ? track->second.hash : value).second);
+        }
+        return again;
+    }
+
+    const OpenedStudy& m_opened;
+    bool m_isGrid;
+    bool m_isDistinct;
+    std::vector<std::vector<bool>> m_isAgain; // [variables][values] of a grid
+    std::set<std::string> m_keys;
+};
+
+// Takes the points of other shards away, and says how many those were.
+std::size_t leaveToOthers(PointSet& points, const Shard& shard)
+{
+    std::size_t ofOthers = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i] && i % shard.count != shard.place) {
+            points[i] = false;
+            ++ofOthers;
+        }
+    return ofOthers;
+}
+
 // Beside the ledgers, once.
 std::optional<Failure> keepDesign(const OpenedStudy& opened)
 {
@@ -63,6 +134,41 @@ std::optional<Failure> keepDesign(const OpenedStudy& opened)
     if (std::filesystem::exists(file, error))
         return std::nullopt;
     return replaceFile(file, sceneText(opened.scene), Flush::Later);
+}
+
+// Flies these points, and adds each to the ledger and to what was flown.
+std::optional<Failure> flyRound(const OpenedStudy& opened, const PointSet& points,
+                                std::size_t count, Ledger& ledger, int jobs,
+                                const std::function<bool()>& isInterrupted,
+                                const ToldOfFlight& told, StudyFlown& flown)
+{
+    std::optional<Failure> failure;
+    std::mutex mutex;
+    std::size_t next = 0;
+    const auto takeNext = [&] {
+        const std::lock_guard lock(mutex);
+        while (!points[next])
+            ++next;
+        return next++;
+    };
+    forEachOfMany(count, jobs, [&](std::size_t) {
+        const std::size_t point = takeNext();
+        const auto kept = flyAndKeep(opened, point, isInterrupted);
+        const std::string key = opened.key(point);
+        const std::lock_guard lock(mutex);
+        if (!kept && !failure)
+            failure = kept.failure();
+        if (failure || !*kept)
+            return false;
+        const FlightResult* flight = &**kept;
+        failure = ledger.add(key, *flight);
+        if (failure)
+            return false;
+        flown.tally.add(*flight);
+        told({point, key, *flight, flown});
+        return true;
+    });
+    return failure;
 }
 
 } // namespace
@@ -81,20 +187,34 @@ StudyFlights flightsOf(const OpenedStudy& opened, const LedgerRows& rows)
     return flights;
 }
 
-std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const StudyFlights& flights)
+PointSet missingPoints(const OpenedStudy& opened, const FlightLookup& flightOf)
 {
-    if (opened.study.plan.kind == StudyPlan::Kind::Frontier)
-        return frontierPoints(opened.study, [&](std::size_t point) -> std::optional<bool> {
-            if (!flights[point])
+    PointSet missing(opened.points.count(), false);
+    if (opened.study.plan.kind == StudyPlan::Kind::Frontier) {
+        const auto held = [&](std::size_t point) -> std::optional<bool> {
+            const FlightResult* flight = flightOf(point);
+            if (!flight)
                 return std::nullopt;
-            return outcomeOf(flights[point]) == FlightOutcome::Held;
-        });
-    std::vector<std::size_t> points;
-    std::set<std::string> keys;
-    for (std::size_t i = 0; i < flights.size(); ++i)
-        if (!flights[i] && keys.insert(opened.key(i)).second)
-            points.push_back(i);
-    return points;
+            return outcomeOf(flight) == FlightOutcome::Held;
+        };
+        for (const std::size_t point : frontierPoints(opened.study, held))
+            missing[point] = true;
+        return missing;
+    }
+    RepeatedPoints repeated(opened);
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        missing[i] = !flightOf(i) && !repeated.has(i);
+    return missing;
+}
+
+PointSet missingPoints(const OpenedStudy& opened, const StudyFlights& flights)
+{
+    return missingPoints(opened, [&](std::size_t point) { return flights[point]; });
+}
+
+std::size_t countOf(const PointSet& points)
+{
+    return std::size_t(std::ranges::count(points, true));
 }
 
 std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point,
@@ -116,38 +236,6 @@ std::optional<RecordedFlight> flyRecorded(const OpenedStudy& opened, std::size_t
     recorded.recording = recorder.recording();
     recorder.finish();
     return recorded;
-}
-
-std::filesystem::path keptRun(const OpenedStudy& opened, std::size_t point)
-{
-    return ledgerFolder(opened.file) / (opened.key(point) + std::string(recordingExtension));
-}
-
-std::optional<RecordedFlight> readKeptRun(const OpenedStudy& opened, std::size_t point,
-                                          const FlightResult& row)
-{
-    const std::filesystem::path file = keptRun(opened, point);
-    std::error_code error;
-    if (!std::filesystem::exists(file, error))
-        return std::nullopt;
-    const auto found = openRecording(file);
-    if (!found || found->recording->frameCount() == 0)
-        return std::nullopt;
-    RecordedFlight kept{row, found->recording, {}};
-    const Recording& recording = *kept.recording;
-    if (hashText(recording.hashOf(recording.lastStep())) != row.hash)
-        return std::nullopt;
-    for (std::size_t i = 0; i < recording.frameCount(); ++i) {
-        const auto frame = recording.frame(i);
-        if (!frame)
-            return std::nullopt;
-        kept.curves.take({0, (*frame)->layout, (*frame)->time, (*frame)->probe});
-        kept.flight.probes = (*frame)->layout->probes;
-    }
-    const std::vector<std::string> names = distinctNames(kept.flight.probes);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        kept.flight.probes[i].name = names[i];
-    return kept;
 }
 
 void StudyTally::add(const FlightResult& flight)
@@ -173,18 +261,28 @@ Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int 
     StudyFlown flown;
     OpenedStudy opened = study;   // its points may become more
     std::optional<Ledger> ledger; // opened once there is something to write
+    const bool goesRound = opened.study.plan.isSearch();
     for (;;) {
         const auto known = readLedgers(ledgerFolder(opened.file));
         if (!known)
             return known.failure();
         followSearch(opened, known->rows);
-        std::vector<std::size_t> points = missingPoints(opened, flightsOf(opened, known->rows));
-        const std::size_t all = points.size();
-        std::erase_if(points, [&](std::size_t i) { return i % shard.count != shard.place; });
-        flown.planned = flown.tally.flown + points.size();
-        flown.ofOthers = all - points.size();
-        if (points.empty())
+        PointSet points = missingPoints(opened, [&](std::size_t point) {
+            const auto row = known->rows.find(opened.key(point));
+            return row == known->rows.end() ? nullptr : &row->second;
+        });
+        flown.ofOthers = leaveToOthers(points, shard);
+        const std::size_t count = countOf(points);
+        flown.planned = flown.tally.flown + count;
+        if (count == 0) {
+            if (opened.study.keep != KeptRuns::Best)
+                return flown;
+            auto best = settleBest(opened, flightsOf(opened, known->rows), jobs, isInterrupted);
+            if (!best)
+                return best.failure();
+            flown.best = std::move(*best);
             return flown;
+        }
         if (!ledger) {
             auto one = Ledger::open(ledgerFolder(opened.file), shard.name(), opened.headings,
                                     opened.keys.design());
@@ -194,27 +292,12 @@ Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int 
             if (const auto failure = keepDesign(opened))
                 return *failure;
         }
-        std::optional<Failure> failure;
-        std::mutex mutex;
-        forEachOfMany(points.size(), jobs, [&](std::size_t i) {
-            const auto kept = flyAndKeep(opened, points[i], isInterrupted);
-            const std::string key = opened.key(points[i]);
-            const std::lock_guard lock(mutex);
-            if (!kept && !failure)
-                failure = kept.failure();
-            if (failure || !*kept)
-                return false;
-            const FlightResult* flight = &**kept;
-            failure = ledger->add(key, *flight);
-            if (failure)
-                return false;
-            flown.tally.add(*flight);
-            told({points[i], key, *flight, flown});
-            return true;
-        });
-        if (failure)
+        if (const auto failure =
+                flyRound(opened, points, count, *ledger, jobs, isInterrupted, told, flown))
             return *failure;
-        if (!opened.study.plan.isSearch() || flown.tally.flown < flown.planned)
+        // a hundred thousand rows are not read again for nothing
+        const bool looksAgain = goesRound || opened.study.keep == KeptRuns::Best;
+        if (!looksAgain || flown.tally.flown < flown.planned)
             return flown;
     }
 }

@@ -30,9 +30,15 @@ struct Shard // the points i with i % count == place
 using StudyFlights = std::vector<const FlightResult*>; // [points]
 StudyFlights flightsOf(const OpenedStudy& opened, const LedgerRows& rows);
 
-// The points that have to be flown next: those that are not, or of a plan along the frontier those
-// of them that are needed as far as can be told now. Of points that are alike the first.
-std::vector<std::size_t> missingPoints(const OpenedStudy& opened, const StudyFlights& flights);
+// Whether each point has to be flown next: those that are not, or of a plan along the frontier
+// those of them that are needed as far as can be told now. Of points that are alike the first,
+// except of draws from ranges, which are alike by a rare chance and to no harm. A bit for each, as
+// there may be a hundred million.
+using PointSet = std::vector<bool>;                                         // [points]
+using FlightLookup = std::function<const FlightResult*(std::size_t point)>; // null: not flown
+PointSet missingPoints(const OpenedStudy& opened, const FlightLookup& flightOf);
+PointSet missingPoints(const OpenedStudy& opened, const StudyFlights& flights);
+std::size_t countOf(const PointSet& points);
 
 // Nothing when it was interrupted.
 std::optional<FlightResult> flyPoint(const OpenedStudy& opened, std::size_t point,
@@ -49,14 +55,6 @@ struct RecordedFlight
 std::optional<RecordedFlight> flyRecorded(const OpenedStudy& opened, std::size_t point,
                                           const std::function<bool()>& isInterrupted,
                                           std::size_t memory = std::size_t(512) << 20);
-
-// The file of a flight that was kept with its frames (KeptRuns), whether it is there or not.
-std::filesystem::path keptRun(const OpenedStudy& opened, std::size_t point);
-
-// What is in that file, with what the probes read at its frames; nothing where it is not there or
-// does not end as the row says.
-std::optional<RecordedFlight> readKeptRun(const OpenedStudy& opened, std::size_t point,
-                                          const FlightResult& row);
 
 struct StudyTally
 {
@@ -76,6 +74,8 @@ struct StudyFlown
     std::size_t planned = 0;  // of its shard, as far as it is known; more than were flown when it
                               // was interrupted
     std::size_t ofOthers = 0; // points that other shards have to fly before it can go on
+    std::optional<std::vector<std::size_t>> best; // of a study that keeps the best: those that are
+                                                  // kept, the best first (kept_runs.h)
 };
 
 // A flight of it that is over, and in the ledger.

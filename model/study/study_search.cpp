@@ -15,6 +15,52 @@ void addAsked(OpenedStudy& opened)
         opened.points.add(place);
 }
 
+// A point that fulfils all constraints.
+struct FeasiblePoint
+{
+    std::size_t point;
+    Score score;
+};
+
+// By the first objective, then by the others, then by their numbers: what comes later dominates
+// nothing that comes before.
+std::vector<FeasiblePoint> feasiblePoints(const OpenedStudy& opened, const StudyFlights& flights)
+{
+    std::vector<FeasiblePoint> designs;
+    for (std::size_t i = 0; i < flights.size() && !opened.wanted.empty(); ++i)
+        if (flights[i])
+            if (Score score = scoreOf(opened, *flights[i]); score.isFeasible())
+                designs.push_back({i, std::move(score)});
+    std::ranges::stable_sort(
+        designs, {},
+        [](const FeasiblePoint& one) -> const std::vector<double>& { return one.score.objective; });
+    return designs;
+}
+
+bool isBeaten(const FeasiblePoint& design, const std::vector<FeasiblePoint>& front)
+{
+    return std::ranges::any_of(
+        front, [&](const FeasiblePoint& one) { return dominates(one.score, design.score); });
+}
+
+// Those that no other dominates, which are no longer among the rest.
+std::vector<FeasiblePoint> takeFront(std::vector<FeasiblePoint>& designs)
+{
+    std::vector<FeasiblePoint> front, rest;
+    for (FeasiblePoint& one : designs)
+        (isBeaten(one, front) ? rest : front).push_back(std::move(one));
+    designs = std::move(rest);
+    return front;
+}
+
+std::vector<std::size_t> pointsOf(const std::vector<FeasiblePoint>& designs)
+{
+    std::vector<std::size_t> points;
+    for (const FeasiblePoint& one : designs)
+        points.push_back(one.point);
+    return points;
+}
+
 } // namespace
 
 void beginSearch(OpenedStudy& opened)
@@ -43,32 +89,31 @@ void followSearch(OpenedStudy& opened, const LedgerRows& rows)
 
 std::vector<std::size_t> bestPoints(const OpenedStudy& opened, const StudyFlights& flights)
 {
-    if (opened.wanted.empty())
-        return {};
-    struct Best
-    {
-        std::size_t point;
-        Score score;
+    std::vector<FeasiblePoint> front;
+    for (FeasiblePoint& one : feasiblePoints(opened, flights))
+        if (!isBeaten(one, front)
+            && (front.empty() || front.back().score.objective != one.score.objective))
+            front.push_back(std::move(one));
+    return pointsOf(front);
+}
+
+std::vector<std::size_t> bestDesigns(const OpenedStudy& opened, const StudyFlights& flights,
+                                     std::size_t most)
+{
+    std::vector<FeasiblePoint> left = feasiblePoints(opened, flights);
+    std::vector<std::size_t> best;
+    std::set<std::string> keys;
+    const auto take = [&](const std::vector<FeasiblePoint>& designs) {
+        for (const FeasiblePoint& one : designs)
+            if (best.size() < most && keys.insert(opened.key(one.point)).second)
+                best.push_back(one.point);
     };
-    std::vector<Best> best; // of those that were looked at
-    for (std::size_t i = 0; i < flights.size(); ++i) {
-        if (!flights[i])
-            continue;
-        Score score = scoreOf(opened, *flights[i]);
-        const bool isBeaten =
-            !score.isFeasible() || std::ranges::any_of(best, [&](const Best& one) {
-                return dominates(one.score, score) || one.score.objective == score.objective;
-            });
-        if (isBeaten)
-            continue;
-        std::erase_if(best, [&](const Best& one) { return dominates(score, one.score); });
-        best.push_back({i, std::move(score)});
-    }
-    std::ranges::stable_sort(best, {}, [](const Best& one) { return one.score.objective.front(); });
-    std::vector<std::size_t> points;
-    for (const Best& one : best)
-        points.push_back(one.point);
-    return points;
+    if (opened.wanted.size() == 1)
+        take(left); // each a front of its own
+    else
+        while (best.size() < most && !left.empty())
+            take(takeFront(left));
+    return best;
 }
 
 std::vector<double> bestSoFar(const OpenedStudy& opened, const StudyFlights& flights)

@@ -24,6 +24,13 @@ void followSearch(OpenedStudy& opened, const LedgerRows& rows);
 // that are alike the first.
 std::vector<std::size_t> bestPoints(const OpenedStudy& opened, const StudyFlights& flights);
 
+// The best designs, `most` of them or as many as there are, the best first: those that fulfil all
+// constraints, by the objective. With several objectives the Pareto front comes first, in the order
+// of the first objective, then the front of the others, and so on. Of points that fly the same the
+// first.
+std::vector<std::size_t> bestDesigns(const OpenedStudy& opened, const StudyFlights& flights,
+                                     std::size_t most);
+
 // The first objective of the best feasible point up to each, in its own unit; not a number before
 // there is one.
 std::vector<double> bestSoFar(const OpenedStudy& opened, const StudyFlights& flights);

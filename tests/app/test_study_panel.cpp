@@ -8,6 +8,7 @@
 #include "study/flight_curves.h"
 #include "study/goal_chart.h"
 #include "study/goal_form.h"
+#include "study/kept_runs.h"
 #include "study/study_chart.h"
 
 #include <QDir>
@@ -309,7 +310,7 @@ private slots:
         QVERIFY(limit);
         limit->setValue(12.5);
         QVERIFY(shop.chooseIn("Which side is limited", 1));
-        QVERIFY(shop.chooseIn("Which flights are kept with all of their frames", 2));
+        QVERIFY(shop.chooseIn("Which flights are kept with all of their frames", 3));
         shop.panel.run();
         QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 5, patience);
         const auto written = readStudy(shop.panel.file().toStdString());

@@ -188,6 +188,7 @@ private slots:
             QVERIFY(same(choiceNames<Reduction>, choices(fieldsOfList(list)["reduction"])));
         QVERIFY(same(choiceNames<StudyPlan::Method>,
                      choices(top["properties"]["plan"]["properties"]["method"])));
+        QVERIFY(same(choiceNames<KeptRuns>, choices(top["properties"]["keep"])));
         QVERIFY(same(choiceNames<Goal>, choices(fieldsOfList("objectives")["goal"])));
         QVERIFY(same(choiceNames<WantedOutcome>, choices(fieldsOfList("constraints")["outcome"])));
 
@@ -203,6 +204,7 @@ private slots:
         study.constraints = {{Constraint::Kind::AtMost, study.measures.front(), 1.0, {}},
                              {Constraint::Kind::AtLeast, study.measures.front(), 1.0, {}},
                              {Constraint::Kind::Outcome, {}, 0.0, WantedOutcome::Accurate}};
+        study.keep = KeptRuns::Best;
         const QJsonObject written =
             QJsonDocument::fromJson(QByteArray::fromStdString(studyText(study))).object();
         study.plan.kind = StudyPlan::Kind::Optimise;
@@ -251,6 +253,8 @@ private slots:
         QTest::newRow("no limit")
             << R"("seconds": 1, "variables": [], "constraints": [{"probe": "a"}])"
             << "constraints[0].atLeast";
+        QTest::newRow("the best of nothing") << R"("seconds": 1, "variables": [], "keep": "best")"
+                                             << "objectives";
         QTest::newRow("text") << R"("seconds": "ten")"
                               << "seconds";
     }

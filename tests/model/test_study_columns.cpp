@@ -3,6 +3,8 @@
 #include "registered_test.h"
 #include "study/study_columns.h"
 
+#include <QFile>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
@@ -37,6 +39,14 @@ constexpr const char* study = R"({
   "scene": "a.ripstop.json",
   "seconds": 2,
   "variables": [{"paths": ["a.b"], "values": [1]}]
+})";
+
+constexpr const char* placed = R"({
+  "format": "ripstop-study", "version": 1,
+  "scene": "a.ripstop.json",
+  "seconds": 1,
+  "variables": [{"paths": ["a.b"], "values": [1]}],
+  "plan": {"kind": "grid"}
 })";
 
 QString failureOf(const std::string& text)
@@ -142,6 +152,47 @@ private slots:
         std::string zero = text + std::string(1, '\0');
         QVERIFY2(failureOf(zero).contains("line 6"), qPrintable(failureOf(zero)));
         QCOMPARE(failureOf("{}"), QString("is no study"));
+    }
+
+    // Lines and columns as an editor counts them; of what is missing that of what should hold it.
+    void wrongFieldsNameThePlace_data()
+    {
+        QTest::addColumn<int>("line");
+        QTest::addColumn<int>("column");
+        QTest::addColumn<QString>("before");
+        QTest::addColumn<QString>("after");
+        QTest::newRow("no number") << 4 << 3 << R"("seconds": 1)"
+                                   << R"("seconds": "one")";
+        QTest::newRow("misspelt") << 4 << 17 << R"("seconds": 1)"
+                                  << R"("seconds": 1, "til": 2)";
+        QTest::newRow("no list") << 5 << 18 << R"(["a.b"])"
+                                 << R"("a.b")";
+        QTest::newRow("in a list") << 5 << 33 << R"(["a.b"])"
+                                   << R"(["a", 5])";
+        QTest::newRow("in a plan") << 6 << 29 << R"("grid")"
+                                   << R"("sobol", "count": 0)";
+        QTest::newRow("none of it") << 6 << 3 << R"("grid")"
+                                    << R"("sobol")";
+    }
+
+    void wrongFieldsNameThePlace()
+    {
+        QFETCH(int, line);
+        QFETCH(int, column);
+        QFETCH(QString, before);
+        QFETCH(QString, after);
+        QString text = placed;
+        QVERIFY(text.contains(before));
+        const QTemporaryDir folder;
+        QFile file(folder.filePath("a.ripstop-study.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text.replace(before, after).toUtf8());
+        file.close();
+        const auto read = readStudy(file.fileName().toStdString());
+        QVERIFY(!read);
+        const QString said = QString::fromStdString(read.message().english());
+        QVERIFY2(said.contains(QString("(line %1, column %2) has").arg(line).arg(column)),
+                 qPrintable(said));
     }
 };
 

@@ -54,9 +54,11 @@ StudyForm::StudyForm(QWidget* parent)
     , m_goals(new GoalForm)
     , m_seconds(new ValueEdit(judgeSeconds))
     , m_untilTear(new QCheckBox(tr("or until something tears")))
-    , m_keep(narrowBox(
-          tr("Which flights are kept with all of their frames"),
-          {tr("None is kept"), tr("Of those that tore or ended early"), tr("All are kept")}, 12))
+    , m_keep(narrowBox(tr("Which flights are kept with all of their frames"),
+                       {tr("None is kept"), tr("Of those that tore or ended early"),
+                        tr("Of the best"), tr("All are kept")},
+                       12))
+    , m_keepCount(new QSpinBox)
 {
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
@@ -106,7 +108,16 @@ StudyForm::StudyForm(QWidget* parent)
     form->addRow(QString(), m_last);
     form->addRow(tr("Each flight"), m_seconds);
     form->addRow(QString(), m_untilTear);
-    form->addRow(tr("Recordings"), m_keep);
+    m_keepCount->hide();
+    m_keepCount->setRange(1, mostKept);
+    m_keepCount->setAccessibleName(tr("How many of the best are kept"));
+    m_keepCount->setToolTip(tr("Those that fulfil all limits and come nearest to what is wanted; "
+                               "a flight that is overtaken loses its recording."));
+    auto* kept = new QHBoxLayout;
+    kept->setSpacing(4);
+    kept->addWidget(m_keep, 1);
+    kept->addWidget(m_keepCount);
+    form->addRow(tr("Recordings"), kept);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 4);
     layout->setSpacing(4);
@@ -124,6 +135,10 @@ StudyForm::StudyForm(QWidget* parent)
     });
     connect(m_keep, &QComboBox::activated, this,
             [this](int keep) { change([&] { m_study.keep = KeptRuns(keep); }); });
+    connect(m_keep, &QComboBox::currentIndexChanged, m_keepCount,
+            [this](int keep) { m_keepCount->setVisible(KeptRuns(keep) == KeptRuns::Best); });
+    connect(m_keepCount, &QSpinBox::valueChanged, this,
+            [this](int count) { change([&] { m_study.keepCount = count; }); });
     connect(m_untilTear, &QCheckBox::toggled, this,
             [this](bool on) { change([&] { m_study.untilTear = on; }); });
 }
@@ -158,6 +173,7 @@ void StudyForm::setStudy(Study study, UnitOf unitOf, const QStringList& probes)
     m_seconds->show(compactNumber(m_study.seconds));
     m_untilTear->setChecked(m_study.untilTear);
     m_keep->setCurrentIndex(int(m_study.keep));
+    m_keepCount->setValue(m_study.keepCount);
     m_goals->show(m_study, probes);
     showPlan();
     m_isShowing = false;

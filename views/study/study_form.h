@@ -70,6 +70,7 @@ private:
     ValueEdit* m_seconds;
     QCheckBox* m_untilTear;
     QComboBox* m_keep;        // in the order of KeptRuns
+    QSpinBox* m_keepCount;    // of the best
     bool m_isShowing = false; // values come from the study and not from a person
 };
 

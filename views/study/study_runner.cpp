@@ -3,6 +3,7 @@
 // joined before another starts, and what it has posted is dropped by its number.
 #include "study/study_runner.h"
 
+#include "study/kept_runs.h"
 #include "study/many.h"
 #include "study/study_search.h"
 
@@ -15,7 +16,7 @@ namespace ripstop {
 namespace {
 
 constexpr int pause = 100; // ms, between two looks at what has been flown
-constexpr std::size_t mostKept = 24;
+constexpr std::size_t mostInMemory = 24;
 constexpr std::size_t keptMemory = std::size_t(64) << 20; // bytes, of each of them
 
 } // namespace
@@ -165,8 +166,8 @@ void StudyRunner::collectRecordings()
         return;
     m_done += news.size();
     std::ranges::move(news, std::back_inserter(m_kept));
-    if (m_kept.size() > mostKept)
-        m_kept.erase(m_kept.begin(), m_kept.end() - std::ptrdiff_t(mostKept));
+    if (m_kept.size() > mostInMemory)
+        m_kept.erase(m_kept.begin(), m_kept.end() - std::ptrdiff_t(mostInMemory));
     emit recorded();
 }
 
