@@ -22,9 +22,9 @@ std::filesystem::path keptRun(const OpenedStudy& opened, std::size_t point);
 std::optional<RecordedFlight> readKeptRun(const OpenedStudy& opened, std::size_t point,
                                           const FlightResult& row);
 
-// Of a study that keeps the best: makes those recordings that are not there, and removes those of flights that were
-// overtaken. Gives the points whose recordings are there, the best first: fewer than the best when
-// it was interrupted.
+// Of a study that keeps the best: makes those recordings that are not there, and removes those of
+// flights that were overtaken. Gives the points whose recordings are there, the best first: fewer
+// than the best when it was interrupted.
 Result<std::vector<std::size_t>> settleBest(const OpenedStudy& opened, const StudyFlights& flights,
                                             int jobs, const std::function<bool()>& isInterrupted);
 

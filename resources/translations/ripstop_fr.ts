@@ -1024,6 +1024,16 @@
         <translation>Au modèle ouvert : %1</translation>
     </message>
     <message>
+        <location filename="design_gallery.cpp"/>
+        <source>%1 is %2. </source>
+        <translation>%1 vaut %2. </translation>
+    </message>
+    <message>
+        <location filename="design_gallery.cpp"/>
+        <source>Best designs</source>
+        <translation>Meilleurs modèles</translation>
+    </message>
+    <message>
         <location filename="design_picture.cpp"/>
         <source>The picture could not be made (%1).</source>
         <translation>L’image n’a pas pu être faite (%1).</translation>
@@ -8973,6 +8983,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study.cpp"/>
+        <source>(line %1, column %2) %3</source>
+        <translation>(ligne %1, colonne %2) %3</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
         <source>has %1, and this Ripstop was built without NLopt, which polishes; leave it out</source>
         <translation>contient %1, et ce Ripstop a été compilé sans NLopt, qui fait l’affinage ; retirez-le</translation>
     </message>
@@ -9020,6 +9035,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study.cpp"/>
         <source>is no study: line %1, column %2 %3</source>
         <translation>n’est pas une étude : ligne %1, colonne %2 %3</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>keeps the best flights, and has no objectives; say what is wanted</source>
+        <translation>garde les meilleurs vols et n’a pas d’objectifs ; dites ce qui est voulu</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
@@ -9133,6 +9153,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_form.cpp"/>
+        <source>How many of the best are kept</source>
+        <translation>Combien des meilleurs sont gardés</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
         <source>Latin hypercube</source>
         <translation>Hypercube latin</translation>
     </message>
@@ -9145,6 +9170,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_form.cpp"/>
         <source>Number of points</source>
         <translation>Nombre de points</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Of the best</source>
+        <translation>Des meilleurs</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -9195,6 +9225,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study_form.cpp"/>
         <source>The time %1.</source>
         <translation>La durée %1.</translation>
+    </message>
+    <message>
+        <location filename="study_form.cpp"/>
+        <source>Those that fulfil all limits and come nearest to what is wanted; a flight that is overtaken loses its recording.</source>
+        <translation>Ceux qui respectent toutes les limites et s’approchent le plus de ce qui est voulu ; un vol dépassé perd son enregistrement.</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -9397,11 +9432,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
-        <source>%1 is %2. </source>
-        <translation>%1 vaut %2. </translation>
-    </message>
-    <message>
-        <location filename="study_view.cpp"/>
         <source>&amp;Apply</source>
         <translation>&amp;Appliquer</translation>
     </message>
@@ -9497,16 +9527,6 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
-        <source>Pictures (*.svg *.pdf *.png)</source>
-        <translation>Images (*.svg *.pdf *.png)</translation>
-    </message>
-    <message>
-        <location filename="study_view.cpp"/>
-        <source>Pictures (*.svg *.pdf *.png);;Tables (*.csv)</source>
-        <translation>Images (*.svg *.pdf *.png);;Tableaux (*.csv)</translation>
-    </message>
-    <message>
-        <location filename="study_view.cpp"/>
         <source>Save the table or the picture</source>
         <translation>Enregistrer le tableau ou l'image</translation>
     </message>
@@ -9559,6 +9579,16 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="study_view.cpp"/>
         <source>over</source>
         <translation>selon</translation>
+    </message>
+    <message>
+        <location filename="study_view_files.cpp"/>
+        <source>Pictures (*.svg *.pdf *.png)</source>
+        <translation>Images (*.svg *.pdf *.png)</translation>
+    </message>
+    <message>
+        <location filename="study_view_files.cpp"/>
+        <source>Pictures (*.svg *.pdf *.png);;Tables (*.csv)</source>
+        <translation>Images (*.svg *.pdf *.png);;Tableaux (*.csv)</translation>
     </message>
     <message>
         <location filename="subject.cpp"/>

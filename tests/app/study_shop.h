@@ -50,6 +50,13 @@ struct StudyShop : WindowShop
         study.seconds = seconds;
         show(study);
     }
+    std::string firstProbe() const // its name
+    {
+        for (const Entry& entry : document.scene().items)
+            if (const auto* probe = std::get_if<Probe>(&entry.item))
+                return probe->name;
+        qFatal("there is no probe");
+    }
     // In the form, as a person would have made it.
     void show(const Study& study)
     {

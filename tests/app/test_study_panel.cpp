@@ -5,6 +5,7 @@
 
 #include "document/recordings.h"
 #include "scene/path.h"
+#include "study/design_gallery.h"
 #include "study/flight_curves.h"
 #include "study/goal_chart.h"
 #include "study/goal_form.h"
@@ -272,6 +273,49 @@ private slots:
         const double y = chart.plot().yAxis->coordToPixel(first);
         QTest::mouseClick(&chart.plot(), Qt::LeftButton, {}, QPointF(x, y).toPoint());
         QVERIFY(shop.panel.view().chosen() == std::size_t(0));
+    }
+
+    // The best stand first, as pictures of what their builder makes of their values, and a click
+    // chooses the flight.
+    void showsTheBestDesigns()
+    {
+        StudyShop shop("delta_kite");
+        Study study;
+        study.seconds = 0.02;
+        study.variables = {{"span", {"kite.built.span"}, {"1.6", "2.4", "3.2"}, {}}};
+        Objective high;
+        high.measure.probe = shop.firstProbe();
+        study.objectives = {high};
+        shop.shelf().study(shop.property(Kind::Settings, "airDensity"), {settingsId});
+        shop.show(study);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 3, patience);
+        QVERIFY(shop.choosePicture("Best designs"));
+        DesignGallery& gallery = shop.panel.view().designs();
+        QVERIFY(gallery.isVisible());
+        QCOMPARE(gallery.count(), 3);
+        const StudyFlights& flights = shop.panel.runner().flights();
+        const std::size_t wanted = shop.panel.runner().study()->wanted.front();
+        for (std::size_t i = 1; i < 3; ++i)
+            QVERIFY(flights[gallery.designs()[i - 1]]->measured[wanted]
+                    <= flights[gallery.designs()[i]]->measured[wanted]);
+        const auto picture = [&](int place) {
+            return gallery.item(place)->icon().pixmap(gallery.iconSize()).toImage();
+        };
+        const QImage empty = [&] {
+            QImage none = picture(0);
+            none.fill(Qt::transparent);
+            return none;
+        }();
+        for (const int place : {0, 1, 2})
+            QTRY_VERIFY_WITH_TIMEOUT(picture(place) != empty, patience);
+        QVERIFY(picture(0) != picture(1)); // another span is another shape
+        QVERIFY(gallery.item(2)->text().contains("span "));
+        QTest::mouseClick(gallery.viewport(), Qt::LeftButton, {},
+                          gallery.visualItemRect(gallery.item(2)).center());
+        QVERIFY(shop.panel.view().chosen() == gallery.designs()[2]);
+        shop.panel.view().choose(gallery.designs()[1]);
+        QCOMPARE(gallery.currentRow(), 1);
     }
 
     void showsTheFrontOfTwo()

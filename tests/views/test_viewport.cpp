@@ -11,6 +11,7 @@
 #include "compile/compile.h"
 #include "document/document.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "document/selection.h"
 #include "layers/wind_layer.h"
 #include "look/steady_range.h"
@@ -240,6 +241,45 @@ private slots:
         QTRY_VERIFY(isTaken = isTaken || hovered() == Id{2}); // what a click takes
         QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, near().toPoint());
         QCOMPARE(view.selection.ids(), std::vector{Id{2}});
+    }
+
+    // Ghosts beside the panel are in the picture with it, and the camera goes back when they go,
+    // unless somebody has moved it meanwhile.
+    void ghostsBesideAreSeenWhole()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        Camera mine = view.viewport.camera();
+        mine.distance *= 0.8;
+        mine.azimuth += 0.2;
+        view.viewport.look(mine);
+        const auto beside = [&](double x) {
+            auto frame = std::make_shared<Frame>(*view.player.frame());
+            for (Vec3& place : frame->position)
+                place.x() += x;
+            return GhostFrame{frame, {}, Vec3(x, 0.0, 0.0)};
+        };
+        const auto sees = [&](double x) {
+            const double aspect = double(view.viewport.width()) / view.viewport.height();
+            const Eigen::Vector4d at =
+                view.viewport.camera().projection(aspect) * Eigen::Vector4d(x, 0.0, 0.0, 1.0);
+            return std::abs(at.x()) < at.w() && std::abs(at.y()) < at.w();
+        };
+        QVERIFY(!sees(12.0));
+        view.viewport.showGhosts({beside(-6.0), beside(6.0), beside(12.0)});
+        QVERIFY(sees(13.0) && sees(-7.0));
+        view.viewport.showGhosts({});
+        QCOMPARE(view.viewport.camera().distance, mine.distance);
+        QVERIFY(view.viewport.camera().focus == mine.focus);
+        view.viewport.showGhosts({beside(0.0)}); // over it: as before
+        QCOMPARE(view.viewport.camera().distance, mine.distance);
+        view.viewport.showGhosts({beside(12.0)});
+        Camera moved = view.viewport.camera();
+        moved.distance *= 1.1;
+        view.viewport.look(moved);
+        view.viewport.showGhosts({});
+        QCOMPARE(view.viewport.camera().distance, moved.distance);
     }
 
     // What tools and a legend cover stays free of what is fitted, in both kinds of picture.

@@ -23,6 +23,8 @@ public:
     void forget() { m_last.reset(); } // another scene: the camera does not go there by itself
     void settle(const Frame* now);    // the camera has been placed for this frame
 
+    const std::optional<Vec3>& middle() const { return m_last; } // m, of what it follows
+
     // `before` is the frame that was shown before, or null. What an author does to a design at rest
     // is to be seen against the ground, so the camera stays then.
     void move(Camera& camera, const Frame& frame, const Frame* before);

@@ -309,7 +309,7 @@ Recordings::Shown Recordings::fetch(const Wish& wish)
     shown.frame = *frame;
     for (const Ghost& ghost : wish.ghosts)
         if (auto there = ghostFrame(ghost, shown.frame->time))
-            shown.ghosts.push_back({std::move(there), ghost.color});
+            shown.ghosts.push_back({std::move(there), ghost.color, ghost.shift});
     return shown;
 }
 

@@ -27,6 +27,7 @@ struct GhostFrame
 {
     std::shared_ptr<const Frame> frame;
     std::optional<QRgb> color;
+    Vec3 shift{0.0, 0.0, 0.0}; // m, that the frame was moved by
 };
 
 class Recordings final : public QObject

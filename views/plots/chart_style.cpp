@@ -130,6 +130,18 @@ void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curv
         legend, QCoreApplication::translate("Chart", "and %1 more").arg(curves.size() - shown)));
 }
 
+void putLegendAbove(QCustomPlot& plot)
+{
+    plot.setAutoAddPlottableToLegend(false);
+    plot.axisRect()->insetLayout()->take(plot.legend);
+    plot.plotLayout()->insertRow(0);
+    plot.plotLayout()->addElement(0, 0, plot.legend);
+    plot.plotLayout()->setRowStretchFactor(0, 0.001);
+    plot.plotLayout()->setRowSpacing(0);
+    plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
+    plot.legend->setVisible(true);
+}
+
 QCPRange withAir(const QCPRange& values, double one)
 {
     constexpr double headroom = 0.08; // of the values, above and below

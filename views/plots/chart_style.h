@@ -28,6 +28,9 @@ void styleLegend(QCPLegend& legend, const QWidget& chart);
 void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curves, int width,
                int rows);
 
+// Above the axes, where it hides no curve; fitLegend() fills it.
+void putLegendAbove(QCustomPlot& plot);
+
 // The range of an axis that shows these values: 8 % of their span above and below, and never an
 // empty range. What is less than what the engine holds is nothing.
 QCPRange withAir(const QCPRange& values, double one = 1.0); // of nothing but zeros, half of `one`

@@ -26,14 +26,7 @@ XyChart::XyChart(QWidget* parent)
         emit customContextMenuRequested(m_plot->mapTo(this, place));
     });
     tighten(*m_plot->axisRect());
-    m_plot->setAutoAddPlottableToLegend(false); // fitLegend() does, as many as have room
-    m_plot->axisRect()->insetLayout()->take(m_plot->legend);
-    m_plot->plotLayout()->insertRow(0);
-    m_plot->plotLayout()->addElement(0, 0, m_plot->legend); // there it hides no curve
-    m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
-    m_plot->plotLayout()->setRowSpacing(0);
-    m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
-    m_plot->legend->setVisible(true);
+    putLegendAbove(*m_plot);
     for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
         connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
                 [this] { m_held |= !m_setting; });

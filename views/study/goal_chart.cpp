@@ -48,15 +48,12 @@ GoalChart::GoalChart(QWidget* parent)
     , m_firstBand(bandOf(*m_plot, *m_first))
     , m_totalBand(bandOf(*m_plot, *m_total))
 {
+    putLegendAbove(*m_plot);
     m_flights->setLineStyle(QCPGraph::lsNone);
     m_first->setWidth(barWidth);
     m_total->setWidth(barWidth);
     m_first->setName(tr("alone"));
     m_total->setName(tr("with its interactions"));
-    for (QCPAbstractPlottable* one :
-         std::initializer_list<QCPAbstractPlottable*>{m_flights, m_best, m_firstBand, m_totalBand})
-        one->removeFromLegend();
-    m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
     setMinimumSize(180, 150);
     connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
         const Point* nearest = nullptr;
@@ -75,6 +72,16 @@ GoalChart::GoalChart(QWidget* parent)
     });
     restyle();
 }
+
+void GoalChart::nameBars()
+{
+    std::vector<QCPAbstractPlottable*> shown;
+    if (m_hasBars)
+        shown = {m_first, m_total};
+    fitLegend(*m_plot->legend, shown, width(), 2);
+}
+
+void GoalChart::resizeEvent(QResizeEvent*) { nameBars(); }
 
 std::vector<GoalChart::Picture> GoalChart::picturesOf(const OpenedStudy& study)
 {
@@ -107,8 +114,8 @@ void GoalChart::show(const OpenedStudy& study, const StudyFlights& flights, Pict
                      std::size_t reading)
 {
     clear();
-    const bool hasBars = picture == Picture::Sensitivity;
-    m_plot->legend->setVisible(hasBars);
+    m_hasBars = picture == Picture::Sensitivity;
+    nameBars();
     switch (picture) {
     case Picture::Convergence:
         showConvergence(study, flights);

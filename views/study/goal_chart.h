@@ -44,6 +44,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Point
@@ -60,9 +61,11 @@ private:
                          std::size_t reading);
     void drawPoints();
     void restyle();
+    void nameBars();
     void clear();
 
     std::vector<Point> m_points;
+    bool m_hasBars = false;
     QCustomPlot* m_plot;
     SpokenAxis* m_x; // what stands beside the axes
     SpokenAxis* m_y;

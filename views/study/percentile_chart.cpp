@@ -27,6 +27,7 @@ PercentileChart::PercentileChart(QWidget* parent)
     , m_x(new SpokenAxis(*m_plot->xAxis))
     , m_y(new SpokenAxis(*m_plot->yAxis))
 {
+    putLegendAbove(*m_plot);
     for (QCPGraph*& line : m_lines)
         line = m_plot->addGraph();
     const std::size_t last = m_lines.size() - 1;
@@ -38,9 +39,6 @@ PercentileChart::PercentileChart(QWidget* parent)
     m_failed = m_plot->addGraph();
     m_failed->setLineStyle(QCPGraph::lsNone);
     m_failed->setName(tr("ended early"));
-    m_lines[0]->removeFromLegend();
-    m_lines[1]->removeFromLegend();
-    m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
     setMinimumSize(180, 150);
     connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
         if (event->button() != Qt::LeftButton || m_bands.empty())
@@ -103,9 +101,22 @@ void PercentileChart::draw()
         }
     m_failed->setData(x, y);
     m_failed->setVisible(!x.isEmpty());
-    m_plot->legend->setVisible(m_hasBands);
+    nameBands();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
+
+// What is shown, in one line where that has room.
+void PercentileChart::nameBands()
+{
+    std::vector<QCPAbstractPlottable*> shown;
+    if (m_hasBands)
+        shown = {m_lines[medianPlace], m_lines[3], m_lines[4]};
+    if (m_hasBands && m_failed->visible())
+        shown.push_back(m_failed);
+    fitLegend(*m_plot->legend, shown, width(), 2);
+}
+
+void PercentileChart::resizeEvent(QResizeEvent*) { nameBands(); }
 
 void PercentileChart::restyle()
 {

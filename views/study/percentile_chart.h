@@ -35,10 +35,12 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void restyle();
     void draw();
+    void nameBands();
     void fitAxes(const StudyColumn& variable, const StudyColumn& reading);
 
     std::vector<StudyBand> m_bands;

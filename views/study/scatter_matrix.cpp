@@ -16,7 +16,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int steps = 96;               // of a side of a cell, of very many points
+constexpr int stepsOfSide = 96;         // of a side of a cell, of very many points
 constexpr std::size_t fewPoints = 2000; // that are drawn each
 constexpr int bins = 24;                // of a diagonal
 constexpr int shortest = 6;             // px, that is no click
@@ -154,10 +154,10 @@ void ScatterMatrix::fillCell(const Cell& cell)
             axis.scaleType() == QCPAxis::stLogarithmic
                 ? std::log(value / range.lower) / std::log(range.upper / range.lower)
                 : (value - range.lower) / range.size();
-        return std::size_t(std::clamp(int(share * steps), 0, steps - 1));
+        return std::size_t(std::clamp(int(share * stepsOfSide), 0, stepsOfSide - 1));
     };
     const std::size_t count = xs.value.size();
-    std::vector<char> seen(count > fewPoints ? std::size_t(2 * steps * steps) : 0, 0);
+    std::vector<char> seen(count > fewPoints ? std::size_t(2 * stepsOfSide * stepsOfSide) : 0, 0);
     QVector<double> x, y, selectedX, selectedY;
     for (std::size_t point = 0; point < count; ++point) {
         const double a = xs.value[point];
@@ -166,8 +166,9 @@ void ScatterMatrix::fillCell(const Cell& cell)
             continue;
         const bool isIn = isSelected(point);
         if (!seen.empty()) {
-            char& there = seen[((isIn ? steps : 0) + place(upwards, b)) * std::size_t(steps)
-                               + place(across, a)];
+            char& there =
+                seen[((isIn ? stepsOfSide : 0) + place(upwards, b)) * std::size_t(stepsOfSide)
+                     + place(across, a)];
             if (std::exchange(there, 1) == 1)
                 continue;
         }

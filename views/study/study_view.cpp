@@ -4,9 +4,8 @@
 
 #include "document/words.h"
 #include "icons/icon.h"
-#include "io/whole_file.h"
-#include "plots/chart_picture.h"
 #include "study/columns_view.h"
+#include "study/design_gallery.h"
 #include "study/flight_curves.h"
 #include "study/goal_chart.h"
 #include "study/narrow_box.h"
@@ -15,12 +14,9 @@
 #include "study/study_chart.h"
 
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -58,6 +54,7 @@ StudyView::StudyView(QWidget* parent)
     , m_charts(new QStackedWidget)
     , m_chart(new StudyChart)
     , m_goals(new GoalChart)
+    , m_designs(new DesignGallery)
     , m_bands(new PercentileChart)
     , m_columns(new ColumnsView)
     , m_sides(new QSplitter)
@@ -73,7 +70,8 @@ StudyView::StudyView(QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(axesLine());
     layout->addLayout(m_slices);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_chart, m_bands, m_columns, m_goals})
+    for (QWidget* page :
+         std::initializer_list<QWidget*>{m_chart, m_bands, m_columns, m_goals, m_designs})
         m_charts->addWidget(page); // in the order of Page
     m_sides->setChildrenCollapsible(false);
     m_sides->addWidget(m_charts);
@@ -88,6 +86,7 @@ StudyView::StudyView(QWidget* parent)
     connect(m_columns, &ColumnsView::picked, this, &StudyView::pick);
     connect(m_columns, &ColumnsView::columnsChosen, this, &StudyView::refresh);
     connect(m_goals, &GoalChart::chosen, this, &StudyView::choose);
+    connect(m_designs, &DesignGallery::chosen, this, &StudyView::choose);
     connect(m_curves, &FlightCurves::chosen, this, &StudyView::chooseOfSelected);
     connect(m_curves, &FlightCurves::ghostsWanted, this, &StudyView::ghostsWanted);
     connect(m_curves, &FlightCurves::closed, this, [this] {
@@ -184,6 +183,7 @@ void StudyView::setStudy(const OpenedStudy* study, const StudyFlights* flights)
     m_flights = flights;
     m_selected.clear();
     m_chosen = std::nullopt;
+    m_designs->clear();
     showCurves({});
     if (study) {
         m_columns->setStudy(*study);
@@ -240,6 +240,8 @@ void StudyView::fillPictures()
         const QString texts[]{tr("Best so far"), tr("Front"), tr("What matters")};
         add(texts[std::size_t(picture)], Page::Goals, int(picture));
     }
+    if (!m_study->wanted.empty())
+        add(tr("Best designs"), Page::Designs);
     add(tr("Percentiles"), Page::Percentiles);
     add(tr("Parallel axes"), Page::Columns, int(ColumnsView::Picture::Parallel));
     add(tr("Scatter matrix"), Page::Columns, int(ColumnsView::Picture::Scatter));
@@ -330,6 +332,10 @@ void StudyView::refresh()
     case Page::Goals:
         m_goals->show(*m_study, *m_flights, GoalChart::Picture(which), reading);
         break;
+    case Page::Designs:
+        m_designs->show(*m_study, *m_flights);
+        m_designs->mark(m_chosen);
+        break;
     }
     describe(-1);
 }
@@ -372,6 +378,7 @@ void StudyView::chooseOfSelected(std::optional<std::size_t> point)
     m_chosen = point;
     m_chart->mark(m_selected, m_chosen);
     m_curves->mark(m_chosen);
+    m_designs->mark(m_chosen);
     for (QPushButton* button : {m_watch, m_apply})
         button->setEnabled(point.has_value());
     const std::size_t several = std::min(m_selected.size(), mostCompared);
@@ -413,65 +420,6 @@ void StudyView::describe(qlonglong point)
         text += tr("not flown yet.");
     }
     m_told->setText(text);
-}
-
-// --- files ---------------------------------------------------------------------------------------
-
-static QString askForPicture(QWidget* parent, const QString& name)
-{
-    return QFileDialog::getSaveFileName(parent, StudyView::tr("Save the picture"), name,
-                                        StudyView::tr("Pictures (*.svg *.pdf *.png)"));
-}
-
-QCustomPlot* StudyView::shownPlot()
-{
-    switch (page()) {
-    case Page::Map:
-        return &m_chart->plot();
-    case Page::Percentiles:
-        return &m_bands->plot();
-    case Page::Columns:
-        return m_columns->plot();
-    case Page::Goals:
-        return &m_goals->plot();
-    }
-    return nullptr;
-}
-
-bool StudyView::writePicture(QCustomPlot& plot, const QString& file)
-{
-    const bool isWritten = savePicture(plot, file);
-    if (isWritten)
-        emit said(tr("Saved %1").arg(QFileInfo(file).fileName()));
-    else
-        QMessageBox::warning(this, tr("Cannot save the picture"),
-                             tr("%1 cannot be written.").arg(file));
-    return isWritten;
-}
-
-void StudyView::saveCurvesAs()
-{
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Save the curves"), QStringLiteral("curves.svg"),
-                                     tr("Pictures (*.svg *.pdf *.png);;Tables (*.csv)"));
-    if (file.isEmpty())
-        return;
-    if (!file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        writePicture(m_curves->plot(), file);
-        return;
-    }
-    if (const auto failure = replaceFile(pathOf(file), m_curves->table(), Flush::ToDisk))
-        QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
-    else
-        emit said(tr("Saved %1").arg(QFileInfo(file).fileName()));
-}
-
-void StudyView::savePictureAs()
-{
-    const QString file = askForPicture(this, QStringLiteral("study.svg"));
-    if (file.isEmpty())
-        return;
-    writePicture(*shownPlot(), file);
 }
 
 } // namespace ripstop

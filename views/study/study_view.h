@@ -28,6 +28,7 @@ class ColumnsView;
 class GoalChart;
 class PercentileChart;
 class StudyChart;
+class DesignGallery;
 enum class Picking;
 
 class StudyView final : public QWidget
@@ -43,6 +44,7 @@ public:
 
     StudyChart& chart() { return *m_chart; }
     GoalChart& goals() { return *m_goals; }
+    DesignGallery& designs() { return *m_designs; }
     PercentileChart& bands() { return *m_bands; }
     ColumnsView& columns() { return *m_columns; }
     std::optional<std::size_t> chosen() const { return m_chosen; } // point of the study
@@ -69,14 +71,14 @@ signals:
     void said(const QString& words); // for the status bar
 
 private:
-    enum class Page { Map, Percentiles, Columns, Goals }; // of m_charts
+    enum class Page { Map, Percentiles, Columns, Goals, Designs }; // of m_charts
 
     QWidget* axesLine();
     QWidget* flightLine();
     void fillChoices();
     void fillPictures();
     Page page() const;
-    QCustomPlot* shownPlot(); // null: a table is shown
+    QCustomPlot* shownPlot(); // null: a table or designs are shown
     void pick(const std::vector<std::size_t>& points, Picking how);
     void refreshMap(std::size_t reading);
     void showBoxes();
@@ -100,6 +102,7 @@ private:
     QStackedWidget* m_charts;
     StudyChart* m_chart;
     GoalChart* m_goals;
+    DesignGallery* m_designs;
     PercentileChart* m_bands;
     ColumnsView* m_columns;
     QSplitter* m_sides;

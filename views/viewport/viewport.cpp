@@ -41,6 +41,9 @@ void Viewport::Private::sceneReplaced()
 {
     untouched = true;
     wholeScene = false;
+    beforeGhosts.reset(); // they were of the other scene
+    ghostShifts.clear();
+    ghostPoints.clear();
     stage.forgetRanges();
     stage.designChanged();
     chase.forget();
@@ -134,9 +137,55 @@ void Viewport::Private::fitNow()
     std::vector<Vec3> points = wholeScene ? stage.shownPoints() : stage.subjectPoints();
     if (points.empty()) // a new scene: a room around the person that stands there
         points = {Vec3(-room, 0.0, -room), Vec3(room, 0.0, room), Vec3(0.0, 1.5 * room, 0.0)};
+    points.insert(points.end(), ghostPoints.begin(), ghostPoints.end());
     camera.fit(points, aspect(), overlayMargins());
     chase.settle(stage.frame().get());
     screen.renderSoon();
+}
+
+// The fabric, or the network where there is none.
+static void addSubject(std::vector<Vec3>& points, const Frame& frame)
+{
+    const std::size_t before = points.size();
+    for (std::size_t i = 0; i < frame.gone.size(); ++i)
+        if (!frame.gone[i])
+            for (const int particle : frame.layout->panelCorners[i])
+                points.push_back(frame.position[std::size_t(particle)]);
+    if (points.size() == before)
+        points.insert(points.end(), frame.position.begin(), frame.position.end());
+    std::erase_if(points, [](const Vec3& point) { return !point.allFinite(); });
+}
+
+// Once when they come; later the picture is left as it is, however far they fly. Says whether the
+// camera may have moved.
+bool Viewport::Private::lookAtGhosts(const std::vector<GhostFrame>& ghosts)
+{
+    std::vector<Vec3> shifts;
+    ghostPoints.clear();
+    for (const GhostFrame& ghost : ghosts)
+        if (!ghost.shift.isZero()) {
+            shifts.push_back(ghost.shift);
+            addSubject(ghostPoints, *ghost.frame);
+        }
+    if (shifts == ghostShifts)
+        return false;
+    ghostShifts = std::move(shifts);
+    if (!ghostShifts.empty()) {
+        if (!beforeGhosts)
+            beforeGhosts = Before{camera, untouched, chase.middle()};
+        else if (!untouched)
+            return false; // a person looks at one of them
+        untouched = true;
+        fitNow();
+    } else if (const auto before = std::exchange(beforeGhosts, std::nullopt); before && untouched) {
+        untouched = before->untouched;
+        camera = before->camera;
+        if (before->middle && chase.middle()) // it would have followed
+            camera.focus += *chase.middle() - *before->middle;
+        if (untouched)
+            fitNow();
+    }
+    return true;
 }
 
 // --- the widget ------------------------------------------------------------------------------
@@ -218,6 +267,8 @@ void Viewport::showGhosts(const std::vector<GhostFrame>& ghosts)
     for (const GhostFrame& ghost : ghosts)
         shown.push_back({ghost.frame, ghost.color});
     d->draw([&] { d->stage.ghost.show(std::move(shown)); });
+    if (d->lookAtGhosts(ghosts))
+        emit cameraChanged();
 }
 
 const std::shared_ptr<const Frame>& Viewport::frame() const { return d->stage.frame(); }

@@ -66,6 +66,7 @@ public:
     std::optional<CameraView> view();          // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
+    bool lookAtGhosts(const std::vector<GhostFrame>& ghosts);
 
     template <typename Change>
     void draw(Change change) // makes the change and asks for a picture
@@ -95,6 +96,17 @@ public:
     bool untouched = true;           // the camera still shows all it should, as nobody has moved it
     bool wholeScene = false;         // should show: everything, or the fabric and what it carries
     Chase chase;
+
+    // Ghosts that stand beside are to be seen whole; when they go, so does the camera.
+    struct Before
+    {
+        Camera camera;
+        bool untouched;
+        std::optional<Vec3> middle; // of the fabric, of a camera that follows it
+    };
+    std::optional<Before> beforeGhosts;
+    std::vector<Vec3> ghostShifts; // m, empty: none stands beside
+    std::vector<Vec3> ghostPoints; // m, of those
     QPointF pressed;
     QPointF last;
     bool dragging = false;
