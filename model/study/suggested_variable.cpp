@@ -23,6 +23,17 @@ SliderRange rangeOf(const Property& property, double value)
     return range;
 }
 
+// That of the slider. One that nobody has chosen may span five decades, as that of strengths does,
+// of which a few values would miss all that is of interest: of such a one a decade either way.
+SliderRange rangeOf(const Property& property, double value, const SliderRange& slider)
+{
+    constexpr double wide = 1e3;
+    const bool isUsual = slider == rangeAround(property, value);
+    if (!isUsual || !slider.logarithmic || !(value > 0.0) || slider.high <= wide * slider.low)
+        return slider;
+    return {std::max(slider.low, value / 10.0), std::min(slider.high, value * 10.0), true};
+}
+
 StudyVariable ofRange(const SliderRange& range)
 {
     // a logarithmic slider may begin at zero, a study may not
@@ -55,7 +66,7 @@ Result<StudyVariable> suggestedVariable(const Scene& scene, const Property& prop
     const Value value = property.get(*thing);
     StudyVariable variable;
     if (const auto* number = std::get_if<double>(&value))
-        variable = ofRange(range.value_or(rangeOf(property, *number)));
+        variable = ofRange(range ? rangeOf(property, *number, *range) : rangeOf(property, *number));
     else if (const auto* whole = std::get_if<int>(&value))
         variable.values = wholeNumbers(range.value_or(rangeOf(property, *whole)));
     else if (std::holds_alternative<bool>(value))

@@ -9492,6 +9492,15 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
+        <source>Fly shows here what comes of it, a cell for each flight.
+
+Then a click on one opens that flight or takes its values.</source>
+        <translation>Voler montre ici ce qui en résulte, une case par vol.
+
+Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</translation>
+    </message>
+    <message>
+        <location filename="study_view.cpp"/>
         <source>Fly the selected flights again in the background, and show the curves of a probe over each other and the flights as ghosts in the view. Ctrl or Shift and click, or a rubber band, selects several.</source>
         <translation>Refaire voler les vols sélectionnés en arrière-plan, et montrer les courbes d’une sonde superposées et les vols en fantômes dans la vue. Ctrl ou Maj et clic, ou un rectangle tiré, en sélectionne plusieurs.</translation>
     </message>

@@ -249,6 +249,19 @@ private slots:
         QCOMPARE(valuesOf("airDensity").back(), std::string("2.4"));
         QCOMPARE(valuesOf("airDensity", SliderRange{0.0, 1.0}),
                  (std::vector<std::string>{"0", "0.25", "0.5", "0.75", "1"}));
+        // a decade either way of what nobody has chosen, all of what somebody has
+        Scene line;
+        line.items.push_back({takeId(line), Material()});
+        std::get<Material>(line.items[0].item).tearLimit = 450.0;
+        const Property& limit = *findProperty(Kind::Material, "tearLimit");
+        const auto endsOf = [&](const SliderRange& range) {
+            const auto found = suggestedVariable(line, limit, {line.items[0].id}, range)->spread;
+            return std::pair(found->a, found->b);
+        };
+        const SliderRange usual = rangeAround(limit, 450.0);
+        QVERIFY(usual.high > 1e3 * usual.low && usual.high < 4500.0);
+        QCOMPARE(endsOf(usual), std::pair(45.0, usual.high));
+        QCOMPARE(endsOf({1.0, 2000.0, true}), std::pair(1.0, 2000.0));
         QCOMPARE(valuesOf("sweeps"), (std::vector<std::string>{"4", "7", "10", "13", "16"}));
         QCOMPARE(valuesOf("gravity"),
                  (std::vector<std::string>{"0, -5, 0", "0, -7.5, 0", "0, -10, 0", "0, -12.5, 0",

@@ -79,11 +79,12 @@ TuningRow::TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidg
             focus->setAccessibleName(labelOf(property));
     auto* select = new QAction(tr("Select"), m_label);
     connect(select, &QAction::triggered, this, &TuningRow::chosen);
-    m_label->addAction(select);
     auto* study = new QAction(tr("Study this…"), m_label);
     connect(study, &QAction::triggered, this, &TuningRow::studyWanted);
-    m_label->addAction(study);
-    m_label->setContextMenuPolicy(Qt::ActionsContextMenu);
+    for (QWidget* place : std::initializer_list<QWidget*>{m_label, this}) { // the slider, too
+        place->addActions({select, study});
+        place->setContextMenuPolicy(Qt::ActionsContextMenu);
+    }
 
     auto* remove = new QToolButton;
     remove->setIcon(icon(QStringLiteral("close")));

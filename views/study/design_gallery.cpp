@@ -12,8 +12,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int pictureSize = 112;  // px
-constexpr int cellWidth = 168;    // px
+constexpr int pictureSize = 112; // px
+constexpr int cellWidth = 168;   // px
 constexpr int linesOfText = 4;
 
 // "69.2 °, 10.3 N", in the order of the objectives.
@@ -31,8 +31,7 @@ QString valuesText(const OpenedStudy& study, std::size_t point)
     const std::vector<std::string> values = study.points.values(point);
     QStringList lines;
     for (std::size_t v = 0; v < values.size(); ++v)
-        lines << QStringLiteral("%1 %2").arg(
-            QString::fromStdString(study.study.variables[v].name), shownValue(values[v]));
+        lines << valueOfVariable(study, v, values[v]);
     return lines.join('\n');
 }
 

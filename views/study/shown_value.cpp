@@ -1,6 +1,8 @@
 #include "study/shown_value.h"
 
 #include "document/spoken.h"
+#include "study/opened_study.h"
+#include "study/point_scene.h"
 
 #include <QRegularExpression>
 
@@ -17,6 +19,16 @@ QString shownValue(const std::string& value)
 }
 
 // The unit stands in brackets at the end: withUnit() has written it.
+QString valueOfVariable(const OpenedStudy& study, std::size_t variable, const std::string& value)
+{
+    const StudyVariable& one = study.study.variables[variable];
+    QString text = QString::fromStdString(value);
+    bool isNumber = false;
+    if (const double number = text.toDouble(&isNumber); isNumber)
+        text = spokenText(number, unitOf(study.scene, one.paths.front()));
+    return QString::fromStdString(one.name) + ' ' + text;
+}
+
 AxisWords wordsOfHeading(const QString& heading)
 {
     static const QRegularExpression form(QStringLiteral("^(.*\\S) \\(([^()]*)\\)$"));

@@ -10,9 +10,15 @@
 
 namespace ripstop {
 
+struct OpenedStudy; // study/opened_study.h
+
 QString fourDigits(double number);
 
 QString shownValue(const std::string& value);
+
+// "EA 3000 N": what a variable of a study is in a flight. A value that is no number alone stays as
+// it was typed.
+QString valueOfVariable(const OpenedStudy& study, std::size_t variable, const std::string& value);
 
 AxisWords wordsOfHeading(const QString& heading);
 

@@ -68,11 +68,13 @@ StudyView::StudyView(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
-    layout->addWidget(axesLine());
+    m_axes = axesLine();
+    layout->addWidget(m_axes);
     layout->addLayout(m_slices);
     for (QWidget* page :
          std::initializer_list<QWidget*>{m_chart, m_bands, m_columns, m_goals, m_designs})
         m_charts->addWidget(page); // in the order of Page
+    m_charts->addWidget(emptyPage());
     m_sides->setChildrenCollapsible(false);
     m_sides->addWidget(m_charts);
     m_sides->addWidget(m_curves);
@@ -107,7 +109,20 @@ StudyView::StudyView(QWidget* parent)
                 fillSlices();
             refresh();
         });
+    showBoxes();
     choose(std::nullopt);
+}
+
+// Before anything is flown.
+QWidget* StudyView::emptyPage()
+{
+    auto* text = new QLabel(tr("Fly shows here what comes of it, a cell for each flight.\n\nThen a "
+                               "click on one opens that flight or takes its values."));
+    text->setAlignment(Qt::AlignCenter);
+    text->setWordWrap(true);
+    text->setForegroundRole(QPalette::PlaceholderText);
+    text->setMargin(16);
+    return text;
 }
 
 QWidget* StudyView::axesLine()
@@ -130,6 +145,7 @@ QWidget* StudyView::axesLine()
     auto* line = new QWidget;
     auto* layout = new QHBoxLayout(line);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
     layout->addWidget(m_picture, 1);
     layout->addWidget(m_reading, 2);
     layout->addWidget(m_over);
@@ -170,10 +186,8 @@ QString StudyView::valuesOf(const OpenedStudy& study, std::size_t point)
 {
     const std::vector<std::string> values = study.points.values(point);
     QStringList all;
-    for (std::size_t v = 0; v < values.size(); ++v) {
-        all << QStringLiteral("%1 %2").arg(QString::fromStdString(study.study.variables[v].name),
-                                           shownValue(values[v]));
-    }
+    for (std::size_t v = 0; v < values.size(); ++v)
+        all << valueOfVariable(study, v, values[v]);
     return all.join(QStringLiteral(", "));
 }
 
@@ -190,6 +204,7 @@ void StudyView::setStudy(const OpenedStudy* study, const StudyFlights* flights)
         fillChoices();
         fillSlices();
     }
+    showBoxes();
     refresh();
     choose(std::nullopt);
 }
@@ -264,12 +279,15 @@ StudyView::Page StudyView::page() const
 // Only the choices that the picture asks for.
 void StudyView::showBoxes()
 {
+    m_axes->setVisible(m_study != nullptr);
+    if (!m_study)
+        return m_charts->setCurrentIndex(m_charts->count() - 1);
     const Page shown = page();
     const bool hasReading = shown == Page::Map || shown == Page::Percentiles
                             || (shown == Page::Goals
                                 && GoalChart::Picture(m_picture->currentData(whichRole).toInt())
                                        == GoalChart::Picture::Sensitivity);
-    const bool hasMany = m_study && m_study->study.variables.size() > 1;
+    const bool hasMany = m_study->study.variables.size() > 1;
     m_reading->setVisible(hasReading);
     for (QWidget* one : std::initializer_list<QWidget*>{m_x, m_over})
         one->setVisible(hasMany && (shown == Page::Map || shown == Page::Percentiles));

@@ -59,7 +59,7 @@ public:
     // Says whether it could, to people too.
     bool writePicture(QCustomPlot& plot, const QString& file);
 
-    // "EA 3000, strength 80"
+    // "EA 3000 N, strength 80 N"
     static QString valuesOf(const OpenedStudy& study, std::size_t point);
 
 signals:
@@ -74,6 +74,7 @@ private:
     enum class Page { Map, Percentiles, Columns, Goals, Designs }; // of m_charts
 
     QWidget* axesLine();
+    QWidget* emptyPage();
     QWidget* flightLine();
     void fillChoices();
     void fillPictures();
@@ -92,6 +93,7 @@ private:
     const StudyFlights* m_flights = nullptr;
     std::vector<std::size_t> m_selected; // in the order in which they were picked
     std::optional<std::size_t> m_chosen;
+    QWidget* m_axes; // what stands above the charts
     QComboBox* m_picture;
     QComboBox* m_reading;
     QComboBox* m_x;
