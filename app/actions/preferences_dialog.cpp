@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -34,11 +35,21 @@ PreferencesDialog::PreferencesDialog(const Actions& actions, RunFiles& runFiles,
     auto* form = new QFormLayout(this);
     form->addRow(tr("&Theme:"), choice(*actions["themeSystem"]));
     form->addRow(tr("&Language:"), choice(*actions["languageSystem"]));
+    form->addRow(QString(), tick(*actions["reduceMotion"]));
     form->addRow(tr("&Memory for recordings:"), memory);
     form->addRow(note);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     form->addRow(buttons);
+}
+
+QCheckBox* PreferencesDialog::tick(QAction& action)
+{
+    auto* box = new QCheckBox(action.text().remove('&'));
+    box->setToolTip(action.statusTip());
+    box->setChecked(action.isChecked());
+    connect(box, &QCheckBox::clicked, &action, &QAction::trigger);
+    return box;
 }
 
 // A list of the actions that exclude this one, and of itself, the checked one chosen.

@@ -1,4 +1,5 @@
-// What holds for the whole program on this machine: theme, language, memory of recordings.
+// What holds for the whole program on this machine: theme, language, how much moves, memory of
+// recordings.
 //
 // Each choice is that of the menu: the dialog triggers its actions, so that both say the same.
 // Changes count at once and there is nothing to accept. Another language makes the window anew, and
@@ -8,6 +9,7 @@
 #include <QDialog>
 
 class QAction;
+class QCheckBox;
 class QComboBox;
 
 namespace ripstop {
@@ -24,6 +26,7 @@ public:
 
 private:
     QComboBox* choice(const QAction& one);
+    QCheckBox* tick(QAction& action);
 };
 
 } // namespace ripstop

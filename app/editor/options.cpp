@@ -5,6 +5,7 @@
 #include "editor/options.h"
 
 #include "document/words.h"
+#include "files/view_picture.h"
 #include "import/import_dialog.h"
 
 #include <QCommandLineParser>
@@ -13,7 +14,8 @@
 namespace ripstop {
 namespace {
 
-const QStringList appearances{"desktop", "light", "dark"}; // in the order of ThemeChoice
+const QStringList appearances{"desktop", "light", "dark"};      // in the order of ThemeChoice
+const QStringList backdrops{"scenery", "white", "transparent"}; // in the order of Backdrop
 
 QStringList colors() // in the order of ColorBy
 {
@@ -21,6 +23,12 @@ QStringList colors() // in the order of ColorBy
     for (const std::string_view name : colorByNames)
         names << QString::fromUtf8(name.data(), qsizetype(name.size()));
     return names;
+}
+
+bool isPage(const QString& file) // which holds text, as pictures of a window cannot
+{
+    return file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
+           || file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
 }
 
 std::optional<QSize> sizeFrom(const QString& text)
@@ -47,8 +55,10 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         words("Scene file to open (*.ripstop.json), or a mesh to import (*.obj, *.stl, ...)."),
         "[SCENE]");
     const QCommandLineOption play("play", words("Start the simulation at once."));
-    const QCommandLineOption screenshot(
-        "screenshot", words("Save a picture of the window as FILE (PNG) and quit."), "FILE");
+    const QCommandLineOption screenshot("screenshot",
+                                        words("Save a picture of the window as FILE (PNG), or of "
+                                              "the view (also SVG, PDF), and quit."),
+                                        "FILE");
     const QCommandLineOption after(
         "after", words("Take the picture after this much simulated time (0)."), "SECONDS", "0");
     const QCommandLineOption frames(
@@ -57,6 +67,16 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         "N", "1");
     const QCommandLineOption viewOnly("view-only",
                                       words("Only the 3D view, without legend and compass."));
+    const QCommandLineOption pictureWidth(
+        "picture-width", words("Width of a picture of the view alone, for papers: 3000."),
+        "PIXELS");
+    const QCommandLineOption backdrop(
+        "backdrop",
+        words("What lies behind things in a picture of the view: scenery, white or "
+              "transparent."),
+        "NAME");
+    const QCommandLineOption legend("legend",
+                                    words("Legend and compass in a picture of the view."));
     const QCommandLineOption size("size", words("Size of the window (1280x800)."), "WxH");
     const QCommandLineOption theme(
         "theme", words("Colours: desktop, light or dark; as chosen in the View menu."), "NAME");
@@ -77,8 +97,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     const QCommandLineOption action(
         "action", words("Do this as from a menu, once the window is there: \"insert bridle\"."),
         "ID");
-    parser.addOptions({action, play, screenshot, after, frames, viewOnly, size, theme, language,
-                       colorBy, select, fit, dock});
+    parser.addOptions({action, play, screenshot, after, frames, viewOnly, pictureWidth, backdrop,
+                       legend, size, theme, language, colorBy, select, fit, dock});
     parser.process(arguments);
 
     Options options;
@@ -91,7 +111,10 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     (isMesh ? options.mesh : options.scene) = files.value(0);
     options.play = parser.isSet(play);
     options.screenshot = parser.value(screenshot);
-    options.viewOnly = parser.isSet(viewOnly);
+    options.viewOnly = parser.isSet(viewOnly) || parser.isSet(pictureWidth)
+                       || parser.isSet(backdrop) || parser.isSet(legend)
+                       || isPage(options.screenshot);
+    options.legend = parser.isSet(legend);
     options.select = parser.value(select);
     options.fit = parser.value(fit);
     options.docks = parser.values(dock);
@@ -107,6 +130,21 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     if (!isNumber || options.frames < 1 || options.frames > 100000) {
         error = words("--frames needs a number of pictures, not \"%1\"").arg(parser.value(frames));
         return std::nullopt;
+    }
+    options.pictureWidth = parser.value(pictureWidth).toInt(&isNumber);
+    if (parser.isSet(pictureWidth)
+        && (!isNumber || options.pictureWidth < 16 || options.pictureWidth > mostPixels)) {
+        error = words("--picture-width needs a number of pixels from 16 to %1, not \"%2\"")
+                    .arg(QString::number(mostPixels), parser.value(pictureWidth));
+        return std::nullopt;
+    }
+    if (parser.isSet(backdrop)) {
+        const auto chosen = backdrops.indexOf(parser.value(backdrop));
+        if (chosen < 0) {
+            error = words("--backdrop is one of %1").arg(backdrops.join(", "));
+            return std::nullopt;
+        }
+        options.backdrop = Backdrop(chosen);
     }
     if (parser.isSet(size) && !(options.size = sizeFrom(parser.value(size)))) {
         error = words("--size needs a size like 1280x800, not \"%1\"").arg(parser.value(size));

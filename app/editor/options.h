@@ -7,6 +7,7 @@
 #pragma once
 
 #include "language/language.h"
+#include "look/backdrop.h"
 #include "look/quantity_values.h"
 #include "theme/theme_choice.h"
 
@@ -27,6 +28,9 @@ struct Options
     double after = 0.0; // s, simulated time at which the picture is taken
     int frames = 1;     // pictures, at equal steps up to `after`
     bool viewOnly = false;
+    int pictureWidth = 0;                  // pixels, of a picture of the view; 0 as it is shown
+    Backdrop backdrop = Backdrop::Scenery; // of a picture of the view
+    bool legend = false;                   // and compass, in a picture of the view
     std::optional<QSize> size;
     std::optional<ThemeChoice> appearance; // without one the kept theme is used
     std::optional<Language> language;      // without one the kept language is used

@@ -9,6 +9,7 @@
 #include "base/hash_text.h"
 #include "document/player.h"
 #include "editor/main_window.h"
+#include "files/view_picture.h"
 #include "import/import_dialog.h"
 #include "viewport/viewport.h"
 
@@ -77,12 +78,10 @@ void Screenshot::save()
                    .arg(m_picture, 4, 10, QChar('0'));
     m_window.viewport().fit(m_fitted); // each time, because what flies leaves the first picture
     m_window.repaint();
-    const QImage view = m_window.viewport().image(Viewport::Overlays::Without);
-    const QImage picture = m_options.viewOnly ? view : m_window.grab().toImage();
-    if (!picture.save(file)) {
+    if (!(m_options.viewOnly ? writeView(file) : m_window.grab().save(file))) {
         std::fprintf(stderr,
                      "%s: cannot be written; choose a folder that you may write to and the ending "
-                     ".png\n",
+                     ".png, or of the view .jpg, .svg or .pdf\n",
                      qPrintable(file));
         return finish(1);
     }
@@ -92,6 +91,18 @@ void Screenshot::save()
         std::printf("%s time %.6g s step %lld hash %s\n", qPrintable(file), frame->time,
                     static_cast<long long>(frame->step), hashText(frame->hash).c_str());
     finish(0);
+}
+
+bool Screenshot::writeView(const QString& file)
+{
+    Viewport& viewport = m_window.viewport();
+    viewport.image(); // the first picture takes in what has changed since
+    const QSize shown = viewport.size() * viewport.devicePixelRatioF();
+    const int width = m_options.pictureWidth;
+    return writePicture(
+        viewport,
+        {width > 0 ? sizeOfWidth(width, shown) : shown, m_options.backdrop, m_options.legend},
+        file);
 }
 
 // Saves the import dialog, once it shows what will be made of the mesh.

@@ -31,6 +31,7 @@ public:
 private:
     void goOn();
     void save();
+    bool writeView(const QString& file);
     void saveImport();
     void saveWithDialog();
     void finish(int exitCode);

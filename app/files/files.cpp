@@ -10,8 +10,8 @@
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/words.h"
-#include "document/write_beside.h"
 #include "files/export_dialog.h"
+#include "files/picture_dialog.h"
 #include "files/templates.h"
 #include "io/scene_file.h"
 #include "start/samples.h"
@@ -200,7 +200,7 @@ void Files::exportRun(const Recordings& recordings)
         m_viewport.show(frame);
         return m_viewport.image(Viewport::Shot{
             look.size, look.overlays ? Viewport::Overlays::With : Viewport::Overlays::Without,
-            look.transparent});
+            look.transparent ? Backdrop::Transparent : Backdrop::Scenery});
     };
     ExportDialog::Matter matter{m_document.scene(), m_player.frame()};
     if (const auto& recording = recordings.current(); recording && recording->frameCount() > 0) {
@@ -223,21 +223,22 @@ void Files::exportRun(const Recordings& recordings)
 
 void Files::savePicture()
 {
-    const QImage picture = m_viewport.image(); // taken now, before the dialog opens
-    const QString file = askWhereToSave(&m_window, tr("Save the view as a picture"),
-                                        suggestedFile(".png"), tr("Pictures (*.png *.jpg)"), "png");
+    PictureDialog dialog(m_viewport, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const QString ending = dialog.ending();
+    const QString file =
+        askWhereToSave(&m_window, tr("Save the view as a picture"), suggestedFile("." + ending),
+                       tr("Pictures (*.png *.jpg *.svg *.pdf)"), ending);
     if (file.isEmpty())
         return;
-    const QByteArray format = QFileInfo(file).suffix().toLatin1();
-    if (writeBeside(file, [&](const QString& written) {
-            return picture.save(written, format.constData());
-        }))
+    if (writePicture(m_viewport, dialog.look(), file))
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     else
         QMessageBox::warning(
             &m_window, tr("Cannot save the picture"),
-            tr("%1 cannot be written: choose a folder that you may write to, and the ending .png "
-               "or .jpg.")
+            tr("%1 cannot be written: choose a folder that you may write to, and the ending .png, "
+               ".jpg, .svg or .pdf.")
                 .arg(QDir::toNativeSeparators(file)));
 }
 

@@ -655,6 +655,11 @@
     </message>
     <message>
         <location filename="compass.cpp"/>
+        <source>Squares of %1</source>
+        <translation>Carreaux de %1</translation>
+    </message>
+    <message>
+        <location filename="compass.cpp"/>
         <source>Wind %1 m/s</source>
         <translation>Vent %1 m/s</translation>
     </message>
@@ -2675,8 +2680,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
-        <source>The 3D view as a PNG or JPEG file.</source>
-        <translation>La vue 3D dans un fichier PNG ou JPEG.</translation>
+        <source>The 3D view as PNG, JPEG, SVG or PDF, large enough for a paper, on sky, white or nothing.</source>
+        <translation>La vue 3D en PNG, JPEG, SVG ou PDF, assez grande pour un article, sur ciel, sur blanc ou sans fond.</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
@@ -2690,8 +2695,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
-        <source>%1 cannot be written: choose a folder that you may write to, and the ending .png or .jpg.</source>
-        <translation>%1 ne peut pas être écrit : choisir un dossier où vous pouvez écrire, et l’extension .png ou .jpg.</translation>
+        <source>%1 cannot be written: choose a folder that you may write to, and the ending .png, .jpg, .svg or .pdf.</source>
+        <translation>Impossible d’écrire %1 : choisissez un dossier où vous pouvez écrire et l’extension .png, .jpg, .svg ou .pdf.</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2770,8 +2775,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
-        <source>Pictures (*.png *.jpg)</source>
-        <translation>Images (*.png *.jpg)</translation>
+        <source>Pictures (*.png *.jpg *.svg *.pdf)</source>
+        <translation>Images (*.png *.jpg *.svg *.pdf)</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -4881,11 +4886,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="material_test_dialog.cpp"/>
-        <source>Width</source>
-        <translation>Largeur</translation>
-    </message>
-    <message>
-        <location filename="material_test_dialog.cpp"/>
         <source>name of the material</source>
         <translation>nom du matériau</translation>
     </message>
@@ -5506,6 +5506,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
+        <source>--backdrop is one of %1</source>
+        <translation>--backdrop est l’un de %1</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
         <source>--color-by is one of %1</source>
         <translation>--color-by vaut l’un de %1</translation>
     </message>
@@ -5518,6 +5523,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="options.cpp"/>
         <source>--language is system, en or fr, not "%1"</source>
         <translation>--language vaut system, en ou fr, et non « %1 »</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>--picture-width needs a number of pixels from 16 to %1, not "%2"</source>
+        <translation>--picture-width demande un nombre de pixels de 16 à %1, et non « %2 »</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -5561,6 +5571,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
+        <source>Legend and compass in a picture of the view.</source>
+        <translation>Légende et boussole dans une image de la vue.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
         <source>Only the 3D view, without legend and compass.</source>
         <translation>La vue 3D seule, sans légende ni boussole.</translation>
     </message>
@@ -5575,8 +5590,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
-        <source>Save a picture of the window as FILE (PNG) and quit.</source>
-        <translation>Enregistrer une image de la fenêtre dans FILE (PNG) et quitter.</translation>
+        <source>Save a picture of the window as FILE (PNG), or of the view (also SVG, PDF), and quit.</source>
+        <translation>Enregistrer une image de la fenêtre dans FILE (PNG), ou de la vue (aussi SVG, PDF), et quitter.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -5607,6 +5622,16 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="options.cpp"/>
         <source>Take the picture after this much simulated time (0).</source>
         <translation>Prendre l’image après ce temps simulé (0).</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>What lies behind things in a picture of the view: scenery, white or transparent.</source>
+        <translation>Ce qui se trouve derrière les objets dans une image de la vue : scenery, white ou transparent.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Width of a picture of the view alone, for papers: 3000.</source>
+        <translation>Largeur d’une image de la vue seule, pour les articles : 3000.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -6012,6 +6037,111 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="percentile_chart.cpp"/>
         <source>median</source>
         <translation>médiane</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>%1 cm wide at 300 dots per inch.</source>
+        <translation>%1 cm de large à 300 points par pouce.</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>&amp;Background:</source>
+        <translation>&amp;Fond :</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>&amp;Kind:</source>
+        <translation>T&amp;ype :</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>&amp;Size:</source>
+        <translation>&amp;Taille :</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>As in the window</source>
+        <translation>Comme dans la fenêtre</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Choose the &amp;file…</source>
+        <translation>&amp;Choisir le fichier…</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>For a page (3000 pixels wide)</source>
+        <translation>Pour une page (3000 pixels de large)</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Four times as large</source>
+        <translation>Quatre fois plus grande</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>JPEG has no transparency: the background will be white.</source>
+        <translation>JPEG ne connaît pas la transparence : le fond sera blanc.</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>JPEG: pixels, small</source>
+        <translation>JPEG : pixels, fichier léger</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Own size</source>
+        <translation>Taille choisie</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>PDF: a page, with text</source>
+        <translation>PDF : une page, avec du texte</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>PNG: pixels, may be transparent</source>
+        <translation>PNG : pixels, transparence possible</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Picture of the view</source>
+        <translation>Image de la vue</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>SVG: legend and compass as text</source>
+        <translation>SVG : légende et boussole en texte</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Sky and ground</source>
+        <translation>Ciel et sol</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Transparent</source>
+        <translation>Transparent</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Twice as large</source>
+        <translation>Deux fois plus grande</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>White paper, with shadows</source>
+        <translation>Papier blanc, avec les ombres</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>Width</source>
+        <translation>Largeur</translation>
     </message>
     <message>
         <location filename="pin.cpp"/>
@@ -11621,11 +11751,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Height</source>
-        <translation>Hauteur</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Height at which the logarithmic profile starts; 0.0002 on the sea, 0.03 over grass, 0.1 over farmland, 0.5 to 1 over suburbs.</source>
         <translation>Hauteur à laquelle commence le profil logarithmique ; 0,0002 en mer, 0,03 sur l’herbe, 0,1 sur des cultures, 0,5 à 1 en banlieue.</translation>
     </message>
@@ -16953,6 +17078,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Draw who holds the line of a kite and who hangs below a glider or a parachute, 1.75 m tall.</source>
+        <translation>Dessiner qui tient la ligne d’un cerf-volant et qui est suspendu sous une aile ou un parachute, à l’échelle d’une taille de 1,75 m.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>F&amp;ollow</source>
         <translation>Sui&amp;vre</translation>
     </message>
@@ -17028,6 +17158,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Let short streaks drift with the wind, gusts included; they stand while the run is held.</source>
+        <translation>Laisser de courtes traînées dériver avec le vent, rafales comprises ; elles s’arrêtent avec la simulation.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Load over strength of lines, cloth and spars: 1 breaks.</source>
         <translation>Charge sur résistance des lignes, toiles et longerons : rupture à 1.</translation>
     </message>
@@ -17078,6 +17213,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Nothing moves in the view but what is simulated: no streaks drift with the wind.</source>
+        <translation>Rien ne bouge dans la vue que ce qui est simulé : aucune traînée ne dérive avec le vent.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>O&amp;rthographic</source>
         <translation>&amp;Orthographique</translation>
     </message>
@@ -17095,6 +17235,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="view_rows.cpp"/>
         <source>Range of colours…</source>
         <translation>Intervalle des couleurs…</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Reduce motion</source>
+        <translation>Réduire les animations</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -17128,6 +17273,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Show people</source>
+        <translation>Afficher les personnes</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Show the design as a ghost</source>
         <translation>Montrer le dessin d'origine en fantôme</translation>
     </message>
@@ -17155,6 +17305,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="view_rows.cpp"/>
         <source>Show wind fiel&amp;d</source>
         <translation>Montrer le &amp;champ de vent</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show wind streaks</source>
+        <translation>Afficher les traînées de vent</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>

@@ -247,6 +247,26 @@ private slots:
         QCOMPARE(image.size(), QSize(900, 600));
     }
 
+    void takesPicturesForPapersFromTheCommandLine()
+    {
+        QTemporaryDir folder;
+        const QString picture = folder.filePath("kite.png"), drawing = folder.filePath("kite.svg");
+        const Finished done =
+            run(EDITOR_PROGRAM, {samples + "delta_kite.ripstop.json", "--screenshot", picture,
+                                 "--picture-width", "1500", "--backdrop", "transparent"});
+        QVERIFY2(done.exitCode == 0, qPrintable(done.error));
+        const QImage image(picture);
+        QCOMPARE(image.width(), 1500);
+        QCOMPARE(image.pixelColor(5, 5).alpha(), 0);
+        const Finished drawn =
+            run(EDITOR_PROGRAM, {samples + "delta_kite.ripstop.json", "--screenshot", drawing,
+                                 "--legend", "--color-by", "tension", "--backdrop", "white"});
+        QVERIFY2(drawn.exitCode == 0, qPrintable(drawn.error));
+        QFile file(drawing);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("<text"));
+    }
+
     void helpsWithoutADisplay()
     {
         const Finished help = run(EDITOR_PROGRAM, {"--help"}, false);
@@ -268,6 +288,10 @@ private slots:
             << QStringList{SOURCE_DIR "/LICENSE"} << 1 << QString("LICENSE");
         QTest::newRow("bad time") << QStringList{"--after", "soon"} << 2 << QString("--after");
         QTest::newRow("bad size") << QStringList{"--size", "big"} << 2 << QString("--size");
+        QTest::newRow("bad width")
+            << QStringList{"--picture-width", "8"} << 2 << QString("--picture-width");
+        QTest::newRow("bad backdrop")
+            << QStringList{"--backdrop", "sea"} << 2 << QString("--backdrop");
         QTest::newRow("two scenes") << QStringList{"a", "b"} << 2 << QString("one scene");
         QTest::newRow("bad theme") << QStringList{"--theme", "pink"} << 2 << QString("--theme");
         QTest::newRow("no such dock") << QStringList{"--dock", "attic"} << 1 << QString("attic");

@@ -44,7 +44,8 @@ struct ExportShop : WindowShop
         const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
             viewport.show(frame);
             return viewport.image(
-                Viewport::Shot{look.size, Viewport::Overlays::With, look.transparent});
+                Viewport::Shot{look.size, Viewport::Overlays::With,
+                               look.transparent ? Backdrop::Transparent : Backdrop::Scenery});
         };
         ExportDialog::Matter matter{document.scene(), player.frame()};
         if (looksBack)

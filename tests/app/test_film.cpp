@@ -36,7 +36,8 @@ struct FilmShop : WindowShop
         const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
             viewport.show(frame);
             return viewport.image(
-                Viewport::Shot{look.size, Viewport::Overlays::With, look.transparent});
+                Viewport::Shot{look.size, Viewport::Overlays::With,
+                               look.transparent ? Backdrop::Transparent : Backdrop::Scenery});
         };
         dialog =
             std::make_unique<ExportDialog>(ExportDialog::Matter{document.scene(), player.frame()},

@@ -99,7 +99,7 @@ void Camera::look(PresetView view)
     case PresetView::Bottom:
         return turn(0, -90);
     case PresetView::Iso:
-        return turn(35, 18);
+        return turn(35, 12); // low enough for the horizon to be in the picture
     }
 }
 

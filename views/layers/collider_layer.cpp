@@ -1,10 +1,37 @@
+// rebuild() takes the actor of each body that is shown, or makes one, and gives it its colour;
+// landscapes get a haze besides, by a line in VTK's shader. update() puts bodies where they are in
+// the frame.
 #include "layers/collider_layer.h"
 
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 
 #include <algorithm>
 
 namespace ripstop {
+namespace {
+
+// A landscape fades into the haze of the backdrop with the distance from the eye.
+constexpr auto hazeAdded =
+    "//VTK::Light::Impl\n"
+    "  float clear = exp2(-dot(vertexVC.xyz, vertexVC.xyz) * perSquareMetre);\n"
+    "  fragOutput0.rgb = mix(hazeColor, fragOutput0.rgb, clear);\n";
+constexpr double sizesToHalf = 0.8; // of a landscape, over which half of its colour is left
+
+void haze(vtkActor& actor, const ColliderBody& body, const Theme& theme)
+{
+    vtkShaderProperty& shader = *actor.GetShaderProperty();
+    constexpr bool beforeVtk = true, everywhere = false;
+    shader.AddFragmentShaderReplacement("//VTK::Light::Impl", beforeVtk, hazeAdded, everywhere);
+    const QColor& color = theme.skyBottom;
+    const double rgb[3] = {color.redF(), color.greenF(), color.blueF()};
+    shader.GetFragmentCustomUniforms()->SetUniform3f("hazeColor", rgb);
+    const double reach = sizesToHalf * std::max(body.bounds.sizes().maxCoeff(), 1e-6);
+    shader.GetFragmentCustomUniforms()->SetUniformf("perSquareMetre", float(1.0 / (reach * reach)));
+}
+
+} // namespace
 
 void ColliderLayer::setShown(bool shown)
 {
@@ -51,6 +78,8 @@ void ColliderLayer::rebuild(const Picture& picture)
         property.SetAmbient(0.25);
         property.SetDiffuse(0.75);
         property.SetSpecular(isLandscape ? 0.0 : 0.15);
+        if (isLandscape)
+            haze(*wanted.back().actor, body, picture.theme);
         property.SetSpecularPower(30.0);
     }
     for (const Drawn& gone : m_drawn)

@@ -1,15 +1,13 @@
 // rebuild() makes three actors for each plane: the disc, thin lines and bold lines, with depth
 // offsets that put the disc behind the shadow and the shadow behind the lines.
 //
-// A scene without anything gets the plane y = 0 with squares of one metre.
-//
 // update() finds the place below the middle of what is shown, and returns at once when the disc is
 // still near enough. Otherwise it draws the disc (rings and spokes of points whose opacity fades
 // outwards) and the lines (multiples of a round step, cut to the disc, in pieces that fade as
 // well).
 #include "layers/ground_layer.h"
 
-#include "layers/person_layer.h"
+#include "layers/backdrop_layer.h"
 #include "look/collider_geometry.h"
 
 #include <vtkRenderer.h>
@@ -182,13 +180,13 @@ void GroundLayer::rebuild(const Picture& picture)
             m_renderer->RemoveActor(actor->actor);
     m_grounds.clear();
 
+    const auto ofBackdrop = levelPlane(picture.scene);
     for (const Entry& entry : picture.scene.items) {
         const Collider* collider = std::get_if<Collider>(&entry.item);
-        if (collider && collider->shown && collider->shape == ColliderShape::Plane)
+        if (collider && collider->shown && collider->shape == ColliderShape::Plane
+            && entry.id != ofBackdrop)
             add(entry.id, picture.pixelRatio);
     }
-    if (hasNothing(picture.scene)) // squares to begin on, which hold nothing
-        add(noId, picture.pixelRatio);
     setShown(m_shown);
 }
 

@@ -1,4 +1,5 @@
-// Plane colliders: a disc of ground with a grid in round metres that fades out towards its rim.
+// Planes that are not the ground of the backdrop (backdrop_layer.h), such as slopes: a disc with a
+// grid in round metres that fades out towards its rim.
 //
 // The disc is centred below what is shown and goes with it; its lines stay where they are in the
 // world, so that motion can be read against them. It is drawn anew only when it has to move by more
@@ -32,8 +33,7 @@ private:
     bool m_shown = true;
 };
 
-// Metres from the middle of the disc to its rim, a round number well beyond what is shown; so much
-// that squares are one metre wide where nothing is.
+// Metres from the middle of the disc to its rim, a round number well beyond what is shown.
 double groundRadius(const Eigen::AlignedBox3d& bounds);
 
 } // namespace ripstop

@@ -17,6 +17,8 @@ class vtkPoints;
 namespace ripstop {
 
 struct ColliderBody;
+struct Limb;   // look/figure.h
+struct Person; // look/people.h
 
 struct Picture
 {
@@ -27,6 +29,8 @@ struct Picture
     vtkPoints* points; // the positions of the frame, in place
     const std::vector<Id>& selected;
     const std::vector<ColliderBody>& colliders;
+    const std::vector<Person>& people;           // none where they are not to be seen
+    const std::vector<std::vector<Limb>>& limbs; // [people]
 
     ColorBy colorBy = ColorBy::Material;
     const QuantityValues& values; // empty when coloured by material

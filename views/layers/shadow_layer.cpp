@@ -1,5 +1,7 @@
 #include "layers/shadow_layer.h"
 
+#include "layers/backdrop_layer.h"
+
 #include <vtkRenderer.h>
 
 namespace ripstop {
@@ -27,9 +29,10 @@ void ShadowLayer::rebuild(const Picture& picture)
 {
     setColor(*m_actor->GetProperty(), picture.theme.shadow);
     m_hasGround = false;
+    const bool hasOther = levelPlane(picture.scene).has_value();
     for (const Entry& entry : picture.scene.items) {
         const Collider* plane = std::get_if<Collider>(&entry.item);
-        if (!plane || !plane->shown || plane->shape != ColliderShape::Plane
+        if (hasOther || !plane || !plane->shown || plane->shape != ColliderShape::Plane
             || plane->normal.dot(sunDirection) <= 0.0)
             continue;
         // p - s (n . (p - p0)) / (n . s): along the sun's rays s onto the plane

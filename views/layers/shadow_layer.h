@@ -1,4 +1,5 @@
-// The shadow of the fabric on the first plane collider: it tells how high things are.
+// The shadow of the fabric on a slope that is not the ground of the backdrop, which has softer ones
+// (backdrop_layer.h): it tells how high things are.
 //
 // It draws the mesh of the panel layer once more, with a matrix that projects it along the rays of
 // the sun onto the plane. Without a shown plane that faces the sun there is no shadow.
@@ -6,14 +7,12 @@
 
 #include "layers/layer.h"
 #include "layers/vtk_data.h"
+#include "look/shadow_map.h"
 
 #include <vtkActor.h>
 #include <vtkMatrix4x4.h>
 
 namespace ripstop {
-
-// Direction towards the sun, not of unit length. The stage places its light there, too.
-inline const Vec3 sunDirection(0.45, 1.0, 0.55);
 
 class ShadowLayer final : public Layer
 {

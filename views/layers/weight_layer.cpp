@@ -1,11 +1,20 @@
 #include "layers/weight_layer.h"
 
+#include "look/people.h"
+
 #include <vtkRenderer.h>
 
 namespace ripstop {
 namespace {
 
 constexpr double weightSize = 15.0; // pixels
+
+bool isSomeone(const std::vector<Person>& people, int particle)
+{
+    return std::ranges::any_of(people, [particle](const Person& person) {
+        return std::ranges::find(person.holds, particle) != person.holds.end();
+    });
+}
 
 } // namespace
 
@@ -27,7 +36,8 @@ void WeightLayer::rebuild(const Picture& picture)
 {
     std::vector<std::array<int, 1>> drawn;
     for (std::size_t i = 0; i < picture.look.isWeight.size(); ++i)
-        if (picture.look.isWeight[i] && picture.look.particleShown[i])
+        if (picture.look.isWeight[i] && picture.look.particleShown[i]
+            && !isSomeone(picture.people, int(i)))
             drawn.push_back({int(i)});
     m_data->SetVerts(cellsOf<1>(drawn));
     m_actor->GetProperty()->SetPointSize(float(picture.pixelRatio * weightSize));

@@ -1,7 +1,7 @@
 // Pilots, payloads and bobs: free particles that carry a fair share of the mass of their part.
 //
 // They are drawn as big balls, whether or not particles are shown; Look::isWeight says which they
-// are.
+// are. Those that are people are drawn as such (person_layer.h).
 #pragma once
 
 #include "layers/layer.h"

@@ -26,6 +26,9 @@ namespace {
 // Where the shape has no normals of its own, faces that meet at more than this have an edge.
 constexpr double edgeAngle = 40.0; // degrees
 
+constexpr double flattest = 0.1; // of the normal of a plane that one can stand on, upwards
+constexpr double headroom = 0.5; // m, that ground may lie above what stands on it
+
 // The shape in its own frame, and a mesh in its own units, so that a collider that only grows keeps
 // its surface.
 Solid solidOf(const ColliderBody& body)
@@ -170,6 +173,25 @@ double distanceTo(const ColliderBody& body, const Vec3& place, const Vec3& origi
     const Eigen::Matrix3d toOwn = turnAndScale(body.collider).inverse();
     const ShapeRay ray{toOwn * (origin - place), toOwn * direction};
     return rowOf(body.collider.shape).ray(solidOf(body), ray);
+}
+
+double groundBelow(const std::vector<ColliderBody>& bodies, const Frame& frame, const Vec3& place)
+{
+    double highest = -noHit;
+    for (const ColliderBody& body : bodies) {
+        const Collider& collider = body.collider;
+        const Vec3 middle = placeOf(frame, body.id, collider);
+        const Vec3 normal = collider.normal.normalized();
+        double height = -noHit;
+        if (collider.shape == ColliderShape::Plane && normal.y() > flattest)
+            height = place.y() - (place - middle).dot(normal) / normal.y();
+        else if (isGround(body))
+            height = place.y() + headroom
+                     - distanceTo(body, middle, place + headroom * Vec3::UnitY(), -Vec3::UnitY());
+        if (collider.shown && height <= place.y() + headroom)
+            highest = std::max(highest, height);
+    }
+    return highest;
 }
 
 } // namespace ripstop

@@ -54,6 +54,10 @@ std::vector<Vec3> extremesOf(const ColliderBody& body, const Vec3& place);
 // The eight corners of its bounds, in the scene; none for a plane.
 std::vector<Vec3> cornersOf(const ColliderBody& body, const Vec3& place);
 
+// The height of the ground at the place of something over it, m: of planes and landscapes, the
+// highest that does not lie far above it. Minus infinity where there is none.
+double groundBelow(const std::vector<ColliderBody>& bodies, const Frame& frame, const Vec3& place);
+
 // How far along a ray (unit direction) the collider is met, m; infinite when it is not.
 double distanceTo(const ColliderBody& body, const Vec3& place, const Vec3& origin,
                   const Vec3& direction);

@@ -15,8 +15,10 @@ namespace ripstop {
 struct Theme
 {
     QColor skyTop;
-    QColor skyBottom;
+    QColor skyBottom; // and haze
+    QColor sun;       // of the sky around it
     QColor ground;
+    QColor groundSquare; // every other square of it
     QColor groundLine;
     QColor shadow;
     QColor text;
@@ -24,6 +26,7 @@ struct Theme
     QColor accent;
     QColor particle;
     QColor pin;
+    QColor person;
     QColor wind;
     QColor neutral; // elements that a coloured quantity says nothing about
 

@@ -4,6 +4,8 @@
 // eye.
 #include "overlays/compass.h"
 
+#include "document/spoken.h"
+
 #include <QPainter>
 #include <QPainterPath>
 
@@ -15,7 +17,7 @@ namespace {
 
 constexpr int side = 132;      // pixels
 constexpr double reach = 46.0; // pixels, radius of the ring
-constexpr int textHeight = 20; // pixels, below the ring
+constexpr int textHeight = 20; // pixels, of each line below the ring
 
 struct Axis
 {
@@ -30,7 +32,7 @@ Compass::Compass(QWidget* parent)
     : QWidget(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    resize(side, side + textHeight);
+    resize(side, side + 2 * textHeight - 4);
 }
 
 void Compass::setTheme(const Theme& theme)
@@ -57,6 +59,13 @@ void Compass::setWindShown(bool shown)
 {
     m_windShown = shown;
     update();
+}
+
+void Compass::setSquares(double metres)
+{
+    if (metres != m_squares)
+        update();
+    m_squares = metres;
 }
 
 QPointF Compass::onScreen(const Vec3& direction) const
@@ -136,6 +145,11 @@ void Compass::paintEvent(QPaintEvent*)
     paintAxes(painter);
     if (m_windShown)
         paintWind(painter);
+    if (m_squares > 0.0) {
+        painter.setPen(m_theme.text);
+        painter.drawText(QRect(0, side + textHeight - 8, side, textHeight), Qt::AlignCenter,
+                         tr("Squares of %1").arg(spokenText(m_squares, "m", 2)));
+    }
 }
 
 } // namespace ripstop

@@ -1,6 +1,7 @@
 // Shows in the corner of the view which way the axes point and where the wind blows.
 //
-// The wind is an arrow across a level ring, with its speed below. The viewport places the widget,
+// The wind is an arrow across a level ring, with its speed below, and with how wide the squares on
+// the ground are. The viewport places the widget,
 // tells it the camera and the mean wind of the frame, and it paints only when one of them has
 // changed.
 #pragma once
@@ -23,6 +24,7 @@ public:
     void setCamera(const Camera& camera);
     void setWind(const Vec3& velocity); // m/s
     void setWindShown(bool shown);
+    void setSquares(double metres); // of the ground, 0 for none
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -37,6 +39,7 @@ private:
     Camera m_camera;
     Vec3 m_wind = Vec3::Zero(); // m/s
     bool m_windShown = true;
+    double m_squares = 0.0; // m
 };
 
 } // namespace ripstop

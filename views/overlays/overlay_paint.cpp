@@ -7,11 +7,12 @@
 
 namespace ripstop {
 
-void paintOver(QImage& picture, std::initializer_list<QWidget*> overlays, QSize view)
+void paintOver(QPainter& painter, QSize picture, std::initializer_list<QWidget*> overlays,
+               QSize view)
 {
     const double scale = double(picture.height()) / std::max(view.height(), 1);
     const int wider = int(picture.width() / scale) - view.width(); // pixels of the view
-    QPainter painter(&picture);
+    painter.save();
     painter.scale(scale, scale);
     for (QWidget* overlay : overlays) {
         if (overlay->isHidden())
@@ -20,6 +21,7 @@ void paintOver(QImage& picture, std::initializer_list<QWidget*> overlays, QSize 
         overlay->render(&painter, overlay->pos() + QPoint(isRight ? wider : 0, 0), {},
                         QWidget::RenderFlags{});
     }
+    painter.restore();
 }
 
 } // namespace ripstop

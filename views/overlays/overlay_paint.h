@@ -5,18 +5,19 @@
 // it renders widgets.
 #pragma once
 
-#include <QImage>
 #include <QSize>
 
 #include <initializer_list>
 
+class QPainter;
 class QWidget;
 
 namespace ripstop {
 
 // Paints the overlays that are not hidden over a picture of a view of this size (pixels of the
 // view). They are as large in it as they are for the height of the view; those of its right half
-// keep their distance from the right edge.
-void paintOver(QImage& picture, std::initializer_list<QWidget*> overlays, QSize view);
+// keep their distance from the right edge. On pages that hold text they stay text.
+void paintOver(QPainter& painter, QSize picture, std::initializer_list<QWidget*> overlays,
+               QSize view);
 
 } // namespace ripstop

@@ -1,7 +1,8 @@
 // Setters note what has changed. prepare() then does, once per picture and only as far as needed:
-// looks of the elements for another layout or edit, bodies of colliders (again while one is late),
-// points and bounds of the frame, the ghost of the design, values and range of the quantity; with
-// these it makes a Picture, rebuilds the layers that are out of date and updates the others.
+// looks of the elements and people for another layout or edit, bodies of colliders (again while one
+// is late), points, limbs and bounds of the frame, the ghost of the design, values and range of the
+// quantity; with these it makes a Picture, rebuilds the layers that are out of date and updates the
+// others.
 //
 // place() puts the VTK camera where ours is, with clipping planes around all that is drawn.
 //
@@ -66,11 +67,11 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 17> Stage::layers()
+std::array<Layer*, 19> Stage::layers()
 {
-    return {&m_ground,  &m_shadow,      &m_colliders, &panels,   &links,   &particles,
-            &m_weights, &m_highlight,   &m_pins,      &m_guides, &m_wind,  &m_vectors,
-            &ghost,     &m_designGhost, &trails,      &m_grain,  &m_person};
+    return {&m_backdrop, &m_ground,      &m_shadow, &m_colliders, &panels,   &links,     &particles,
+            &m_weights,  &m_highlight,   &m_pins,   &m_guides,    &m_wind,   &m_vectors, &ghost,
+            &trails,     &m_designGhost, &m_grain,  &m_person,    &m_streaks};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft
@@ -98,18 +99,21 @@ void Stage::show(std::shared_ptr<const Frame> frame) { m_frame = std::move(frame
 void Stage::setTheme(const Theme& theme)
 {
     m_theme = theme;
-    setBackdropShown(true);
+    setBackdrop(Backdrop::Scenery);
     m_layersAreOld = true;
 }
 
-void Stage::setBackdropShown(bool shown)
+void Stage::setBackdrop(Backdrop backdrop)
 {
-    const QColor bottom =
-        shown ? m_theme.skyBottom : QColor(Qt::black); // black adds nothing to a picture
-    m_renderer->SetGradientBackground(shown);
+    const QColor bottom = backdrop == Backdrop::Scenery ? m_theme.skyBottom
+                          : backdrop == Backdrop::White
+                              ? QColor(Qt::white)
+                              : QColor(Qt::black); // black adds nothing to a picture
+    m_renderer->SetGradientBackground(backdrop == Backdrop::Scenery);
     m_renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
     m_renderer->SetBackground2(m_theme.skyTop.redF(), m_theme.skyTop.greenF(),
                                m_theme.skyTop.blueF());
+    m_backdrop.setBackdrop(backdrop);
 }
 
 void Stage::setColorBy(ColorBy colorBy)
@@ -155,12 +159,32 @@ void Stage::setPanelsShown(bool shown)
 {
     panels.setShown(shown);
     m_shadow.setShown(shown);
+    m_backdrop.setFabricShown(shown);
+    m_layersAreOld = true;
+}
+
+void Stage::setPeopleShown(bool shown)
+{
+    m_peopleShown = shown;
+    m_lookIsOld = true;
 }
 
 void Stage::setWindShown(bool shown)
 {
     m_wind.setShown(shown);
     m_layersAreOld = true;
+}
+
+void Stage::setStreaksShown(bool shown)
+{
+    m_streaksShown = shown;
+    m_streaks.setShown(m_streaksShown && !m_motionReduced);
+}
+
+void Stage::setMotionReduced(bool reduced)
+{
+    m_motionReduced = reduced;
+    setStreaksShown(m_streaksShown);
 }
 
 void Stage::setVectors(Vectors vectors)
@@ -223,6 +247,9 @@ std::vector<Vec3> Stage::shownPoints() const
     for (std::size_t i = 0; m_frame && i < m_look.particleShown.size(); ++i)
         if (m_look.particleShown[i] && m_frame->position[i].allFinite())
             points.push_back(m_frame->position[i]);
+    for (const std::vector<Limb>& body : m_limbs)
+        for (const Limb& limb : body)
+            points.insert(points.end(), {limb.from, limb.to});
     for (const ColliderBody& body : m_bodies) {
         const Collider& collider = body.collider;
         if (!collider.shown || !m_frame)
@@ -250,6 +277,10 @@ std::vector<Vec3> Stage::subjectPoints() const
     for (std::size_t i = 0; i < m_look.isWeight.size(); ++i)
         if (m_look.isWeight[i] && m_look.particleShown[i])
             add(int(i));
+    for (std::size_t i = 0; i < m_limbs.size(); ++i)
+        if (m_people[i].pose != Pose::Standing)
+            for (const Limb& limb : m_limbs[i])
+                points.insert(points.end(), {limb.from, limb.to});
     return points;
 }
 
@@ -263,6 +294,18 @@ std::vector<Vec3> Stage::pointsOf(const Scene& scene, const std::vector<Id>& ids
             for (const Vec3& corner : cornersOf(body, placeOf(*m_frame, body.id, body.collider)))
                 places.push_back(corner);
     return places;
+}
+
+void Stage::takePeople(const Scene& scene)
+{
+    m_people = m_peopleShown ? peopleOf(scene, *m_layout) : std::vector<Person>();
+}
+
+void Stage::takeLimbs()
+{
+    m_limbs.clear();
+    for (const Person& person : m_people)
+        m_limbs.push_back(limbsOf(person, *m_frame, m_bodies));
 }
 
 void Stage::takeBounds()
@@ -320,6 +363,7 @@ void Stage::prepare(const Scene& scene)
     if (otherLayout || m_lookIsOld) {
         m_layout = m_frame->layout;
         m_look = lookOf(scene, *m_layout);
+        takePeople(scene);
     }
     if (const auto late = lateOnes(); otherLayout || m_lookIsOld || late > 0) {
         m_bodies = bodiesOf(scene, std::move(m_bodies));
@@ -332,13 +376,15 @@ void Stage::prepare(const Scene& scene)
     if (m_drawn && m_drawn->run != m_frame->run)
         m_range.reset();
     takePoints();
+    takeLimbs();
     takeBounds();
     takeDesign(scene);
     m_values = valuesOf(*m_frame, m_colorBy, m_look);
     takeRange();
 
-    const Picture picture{scene,     *m_frame, m_look,   m_theme, m_points, m_selected,  m_bodies,
-                          m_colorBy, m_values, colors(), range(), m_bounds, m_pixelRatio};
+    const Picture picture{scene,      *m_frame, m_look,   m_theme,  m_points,
+                          m_selected, m_bodies, m_people, m_limbs,  m_colorBy,
+                          m_values,   colors(), range(),  m_bounds, m_pixelRatio};
     for (Layer* layer : layers()) {
         const bool shows = layer == &m_highlight || layer == &m_colliders // what is selected
                            || layer == &trails;
@@ -376,6 +422,8 @@ void Stage::place(const Camera& camera)
     const double distance = camera.distance + step;
     const double near = std::max(distance - reach, 0.02 * camera.distance);
     target.SetClippingRange(near, distance + reach);
+    m_backdrop.place(target);
+    m_streaks.place({camera.focus, 2.0 * camera.halfHeight()});
 }
 
 } // namespace ripstop

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "camera/camera.h"
+#include "layers/backdrop_layer.h"
 #include "layers/collider_layer.h"
 #include "layers/ghost_layer.h"
 #include "layers/grain_layer.h"
@@ -19,10 +20,12 @@
 #include "layers/particle_layer.h"
 #include "layers/person_layer.h"
 #include "layers/shadow_layer.h"
+#include "layers/streak_layer.h"
 #include "layers/trail_layer.h"
 #include "layers/vector_layer.h"
 #include "layers/weight_layer.h"
 #include "layers/wind_layer.h"
+#include "look/figure.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkPoints.h>
@@ -46,7 +49,7 @@ public:
     void forgetRanges();                                 // those that were typed for another scene
     void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
     void setSelected(std::vector<Id> ids);
-    void setBackdropShown(bool shown); // the sky; on at first
+    void setBackdrop(Backdrop backdrop); // sky and ground at first
     void setPixelRatio(double ratio);
     void sceneChanged() { m_lookIsOld = true; } // what the scene says about looks
     void designChanged() { m_design.reset(); }  // what the scene says about places
@@ -55,8 +58,11 @@ public:
     void prepare(const Scene& scene);
     void place(const Camera& camera);
 
-    void setPanelsShown(bool shown); // panels and their shadow
-    void setWindShown(bool shown);   // the field of arrows
+    void setPanelsShown(bool shown);     // panels and their shadow
+    void setPeopleShown(bool shown);     // on at first; without them, weights are balls
+    void setWindShown(bool shown);       // the field of arrows
+    void setStreaksShown(bool shown);    // that drift with the wind; on at first
+    void setMotionReduced(bool reduced); // without them, whatever was chosen
     void setVectors(Vectors vectors);
     void setGrainShown(bool shown);
 
@@ -82,6 +88,8 @@ public:
     ValueRange range() const;
     const ColorMap& colors() const;
 
+    double squares() const { return m_backdrop.squares(); } // m, of the ground, as placed; or 0
+
     // Places of all that is shown but the ground, m.
     std::vector<Vec3> shownPoints() const;
 
@@ -92,13 +100,16 @@ private:
     }
     void light();
     void takePoints();
+    void takePeople(const Scene& scene);
+    void takeLimbs();
     void takeBounds();
     void takeRange();
     bool somethingBroke() const;
     std::ptrdiff_t lateOnes() const; // colliders whose file is being read
     void takeDesign(const Scene& scene);
-    std::array<Layer*, 17> layers();
+    std::array<Layer*, 19> layers();
 
+    BackdropLayer m_backdrop;
     PinLayer m_pins;
     GuideLayer m_guides;
     WeightLayer m_weights;
@@ -108,6 +119,7 @@ private:
     PersonLayer m_person;
     ShadowLayer m_shadow;
     WindLayer m_wind;
+    StreakLayer m_streaks;
     VectorLayer m_vectors;
     GrainLayer m_grain;
     GhostLayer m_designGhost{GhostLayer::Of::Design};
@@ -119,6 +131,11 @@ private:
     std::shared_ptr<const Layout> m_layout;
     Look m_look;
     std::vector<ColliderBody> m_bodies;
+    std::vector<Person> m_people;           // of the design; none while they are not to be seen
+    std::vector<std::vector<Limb>> m_limbs; // [people] in the frame
+    bool m_peopleShown = true;
+    bool m_streaksShown = true;
+    bool m_motionReduced = false;
     Theme m_theme = Theme::light();
     ColorBy m_colorBy = ColorBy::Material;
     QuantityValues m_values;

@@ -9,6 +9,7 @@
 #include "viewport/viewport.h"
 
 #include "document/recordings.h"
+#include "look/people.h"
 #include "look/scene_frame.h"
 #include "overlays/overlay_paint.h"
 #include "tools/tool_strip.h"
@@ -110,6 +111,7 @@ void Viewport::Private::place()
     labels.show(stage.frame(), camera);
     gizmo.refresh();
     stage.place(camera);
+    compass.setSquares(stage.squares());
 }
 
 std::optional<CameraView> Viewport::Private::view()
@@ -135,7 +137,8 @@ void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
     std::vector<Vec3> points = wholeScene ? stage.shownPoints() : stage.subjectPoints();
-    if (points.empty()) // a new scene: a room around the person that stands there
+    if (points.empty()
+        || hasNothing(document.scene())) // a room around the person that stands there
         points = {Vec3(-room, 0.0, -room), Vec3(room, 0.0, room), Vec3(0.0, 1.5 * room, 0.0)};
     points.insert(points.end(), ghostPoints.begin(), ghostPoints.end());
     camera.fit(points, aspect(), overlayMargins());
@@ -313,6 +316,11 @@ void Viewport::setParticlesShown(bool shown)
     d->screen.renderSoon();
 }
 
+void Viewport::setPeopleShown(bool shown)
+{
+    d->draw([&] { d->stage.setPeopleShown(shown); });
+}
+
 void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
 
 void Viewport::setCentreShown(bool shown)
@@ -350,6 +358,16 @@ void Viewport::setWindFieldShown(bool shown)
     d->draw([&] { d->stage.setWindShown(shown); });
 }
 
+void Viewport::setStreaksShown(bool shown)
+{
+    d->draw([&] { d->stage.setStreaksShown(shown); });
+}
+
+void Viewport::setMotionReduced(bool reduced)
+{
+    d->draw([&] { d->stage.setMotionReduced(reduced); });
+}
+
 void Viewport::setTheme(const Theme& theme)
 {
     d->stage.setTheme(theme);
@@ -381,23 +399,31 @@ void Viewport::resizeEvent(QResizeEvent*)
 QImage Viewport::image(Overlays overlays)
 {
     QImage picture = d->screen.picture();
-    if (!picture.isNull() && overlays == Overlays::With)
-        paintOver(picture, {&d->centre, &d->labels, &d->gizmo, &d->legend, &d->compass}, size());
+    if (!picture.isNull() && overlays == Overlays::With) {
+        QPainter painter(&picture);
+        paintOver(painter, picture.size(),
+                  {&d->centre, &d->labels, &d->gizmo, &d->legend, &d->compass}, size());
+    }
     return picture;
 }
 
 QImage Viewport::image(const Shot& shot)
 {
     d->shotRatio = double(shot.size.height()) / std::max(height(), 1);
-    d->stage.setBackdropShown(!shot.transparent);
-    QImage picture =
-        d->screen.picture(shot.size, shot.transparent ? VtkWidget::Backdrop::Transparent
-                                                      : VtkWidget::Backdrop::Shown);
-    d->stage.setBackdropShown(true);
+    d->stage.setBackdrop(shot.backdrop);
+    QImage picture = d->screen.picture(shot.size, shot.backdrop);
+    d->stage.setBackdrop(Backdrop::Scenery);
     d->shotRatio.reset();
-    if (shot.overlays == Overlays::With)
-        paintOver(picture, {&d->legend, &d->compass}, size());
+    if (!picture.isNull() && shot.overlays == Overlays::With) {
+        QPainter painter(&picture);
+        paintOverlays(painter, picture.size());
+    }
     return picture;
+}
+
+void Viewport::paintOverlays(QPainter& painter, QSize picture)
+{
+    paintOver(painter, picture, {&d->legend, &d->compass}, size());
 }
 
 // --- camera ----------------------------------------------------------------------------------

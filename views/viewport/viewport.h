@@ -10,6 +10,7 @@
 #pragma once
 
 #include "camera/camera.h"
+#include "look/backdrop.h"
 #include "look/quantity_values.h"
 #include "look/steady_range.h"
 #include "look/theme.h"
@@ -65,14 +66,17 @@ public:
     void setPanelsShown(bool shown);
     void setLinksShown(bool shown);
     void setParticlesShown(bool shown);
+    void setPeopleShown(bool shown); // who holds and who hangs; on at first
     void setWindShown(bool shown);
-    void setWindFieldShown(bool shown); // off at first
-    void setCentreShown(bool shown);    // of gravity, off at first
-    void setVectors(Vectors vectors);   // arrows on the elements; none at first
-    void setDesignShown(bool shown);    // as a ghost; off at first
-    void setTrailsShown(bool shown);    // of selected or probed particles; off at first
-    void setGrainShown(bool shown);     // of panels that carry a pull, as strokes; off at first
-    void setProbesShown(bool shown);    // what they read, beside what they look at; off at first
+    void setWindFieldShown(bool shown);  // as arrows, off at first
+    void setStreaksShown(bool shown);    // that drift with the wind; on at first
+    void setMotionReduced(bool reduced); // nothing moves but what is simulated; off at first
+    void setCentreShown(bool shown);     // of gravity, off at first
+    void setVectors(Vectors vectors);    // arrows on the elements; none at first
+    void setDesignShown(bool shown);     // as a ghost; off at first
+    void setTrailsShown(bool shown);     // of selected or probed particles; off at first
+    void setGrainShown(bool shown);      // of panels that carry a pull, as strokes; off at first
+    void setProbesShown(bool shown);     // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
@@ -94,14 +98,15 @@ public:
     QImage image(Overlays overlays = Overlays::With);
 
     // The view in another size, in pixels; of what lies over it only legend and compass, as large
-    // as they are in the view. A transparent picture has no sky.
+    // as they are in the view.
     struct Shot
     {
         QSize size;
         Overlays overlays = Overlays::With;
-        bool transparent = false;
+        Backdrop backdrop = Backdrop::Scenery;
     };
     QImage image(const Shot& shot);
+    void paintOverlays(QPainter& painter, QSize picture); // those of such a shot
 
     TransformTool& transformTool();
     HandSettings& hands(); // how hard hands pull and blow

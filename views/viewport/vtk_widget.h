@@ -6,6 +6,8 @@
 // two pictures.
 #pragma once
 
+#include "look/backdrop.h"
+
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -36,8 +38,7 @@ public:
     // The picture as it is seen when nothing moves, with smooth edges, in device pixels.
     QImage picture();
 
-    // Renders the view in another size, in pixels, and without anything behind things if wanted.
-    enum class Backdrop { Shown, Transparent };
+    // Renders the view in another size, in pixels. What the backdrop leaves out is transparent.
     QImage picture(QSize size, Backdrop backdrop);
 
     // Called before each new picture, so that many changes between two pictures cost one.
