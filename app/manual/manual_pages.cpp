@@ -42,6 +42,7 @@ constexpr std::array table{
     ManualRow{"DesignDifferenceDialog", "docs/command-line", "what-two-designs-differ-in"},
     ManualRow{"DifferenceDialog",       "docs/flight-to-figure", "look-back-and-compare"},
     ManualRow{"ExportDialog",           "docs/exporting", ""},
+    ManualRow{"PictureDialog",          "docs/exporting", "pictures-for-papers"},
     ManualRow{"ImportDialog",           "docs/importing", ""},
     ManualRow{"KeysDialog",             "docs/editor",    "five-minutes"},
     ManualRow{"MapDialog",              "docs/tuning",    "maps"},
