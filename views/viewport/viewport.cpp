@@ -3,7 +3,8 @@
 // before each picture, place() also when only what lies over the picture changes.
 //
 // The widget: the constructor stacks overlays and connects document, selection and player; the
-// setters pass on what the menus choose and ask for a picture; image() renders one for files.
+// setters pass on what the menus choose and ask for a picture (viewport_shown.cpp has the
+// switches); image() renders one for files.
 //
 // The camera: fitting, preset views, following. The mouse and keys are in viewport_input.cpp.
 #include "viewport/viewport.h"
@@ -294,79 +295,6 @@ void Viewport::editRange() { d->rangeEditor.open(); }
 ValueRange Viewport::range() const { return d->stage.range(); }
 
 const Legend& Viewport::legend() const { return d->legend; }
-
-void Viewport::setPanelsShown(bool shown)
-{
-    d->pointing.pickable.drawn.panels = shown;
-    d->stage.setPanelsShown(shown);
-    d->screen.renderSoon();
-}
-
-void Viewport::setLinksShown(bool shown)
-{
-    d->pointing.pickable.drawn.links = shown;
-    d->stage.links.setShown(shown);
-    d->screen.renderSoon();
-}
-
-void Viewport::setParticlesShown(bool shown)
-{
-    d->pointing.pickable.drawn.particles = shown;
-    d->stage.particles.setShown(shown);
-    d->screen.renderSoon();
-}
-
-void Viewport::setPeopleShown(bool shown)
-{
-    d->draw([&] { d->stage.setPeopleShown(shown); });
-}
-
-void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
-
-void Viewport::setCentreShown(bool shown)
-{
-    d->draw([&] { d->centre.setMarked(shown); });
-}
-
-void Viewport::setDesignShown(bool shown)
-{
-    d->draw([&] { d->stage.setDesignShown(shown); });
-}
-
-void Viewport::setTrailsShown(bool shown)
-{
-    d->draw([&] { d->stage.trails.setShown(shown); });
-}
-
-void Viewport::setGrainShown(bool shown)
-{
-    d->draw([&] { d->stage.setGrainShown(shown); });
-}
-
-void Viewport::setProbesShown(bool shown)
-{
-    d->draw([&] { d->labels.setWanted(shown); });
-}
-
-void Viewport::setVectors(Vectors vectors)
-{
-    d->draw([&] { d->stage.setVectors(vectors); });
-}
-
-void Viewport::setWindFieldShown(bool shown)
-{
-    d->draw([&] { d->stage.setWindShown(shown); });
-}
-
-void Viewport::setStreaksShown(bool shown)
-{
-    d->draw([&] { d->stage.setStreaksShown(shown); });
-}
-
-void Viewport::setMotionReduced(bool reduced)
-{
-    d->draw([&] { d->stage.setMotionReduced(reduced); });
-}
 
 void Viewport::setTheme(const Theme& theme)
 {
