@@ -10,7 +10,6 @@
 #include "viewport/viewport.h"
 
 #include "document/recordings.h"
-#include "look/people.h"
 #include "look/scene_frame.h"
 #include "overlays/overlay_paint.h"
 #include "tools/tool_strip.h"
