@@ -65,14 +65,6 @@ void drop(const std::vector<Id>& materials, Scene& scene, Network& network)
     });
 }
 
-// What is known to break does so, as the craft would.
-void tearByStrength(Material& material)
-{
-    if (material.warpStrength || material.weftStrength || material.lineStrength
-        || material.breakingMoment)
-        material.tearRule = TearRule::Strength;
-}
-
 // A hem runs along either yarn or across both, so that the weaker of them counts.
 void turnIn(const Material& cloth, Material& hem)
 {
@@ -88,14 +80,10 @@ void makeCloth(const Preset& cloth, const Preset* tape, const Preset* patch,
                const CraftMaterials& materials, Scene& scene, Network& network)
 {
     const Material numbers = numbersOf(cloth);
-    forEachMaterial(scene, materials.cloth, [&](Material& m) {
-        give(m, cloth);
-        tearByStrength(m);
-    });
+    forEachMaterial(scene, materials.cloth, [&](Material& m) { give(m, cloth); });
     forEachMaterial(scene, materials.patches, [&](Material& m) {
         give(m, cloth);
         addLayer(m, numbersOf(*patch));
-        tearByStrength(m);
     });
     forEachMaterial(scene, materials.hems, [&](Material& m) {
         if (tape)
@@ -103,7 +91,6 @@ void makeCloth(const Preset& cloth, const Preset* tape, const Preset* patch,
         else
             turnIn(numbers, m);
         m.dampingTime = numbers.dampingTime;
-        tearByStrength(m);
     });
     drop(materials.seams, scene, network);
     if (network.part().carrier != FabricKind::Panels)
@@ -116,7 +103,6 @@ void makeSpars(const Preset& spar, const CraftMaterials& materials, Scene& scene
         give(m, spar);
         m.dampingTime = sparDamping;
         m.diameter = 0.0; // the drag of spars is part of that of the sail
-        tearByStrength(m);
     });
     forEachMaterial(scene, materials.frame, [&](Material& m) {
         m.axialStiffness = numbersOf(spar).axialStiffness;
@@ -126,7 +112,6 @@ void makeSpars(const Preset& spar, const CraftMaterials& materials, Scene& scene
     forEachMaterial(scene, materials.wires, [&](Material& m) {
         m.lineStrength = cable.lineStrength;
         m.jointEfficiency = cable.jointEfficiency;
-        tearByStrength(m);
     });
 }
 
@@ -137,9 +122,19 @@ void makeLine(const Preset& cord, const CraftMaterials& materials, Scene& scene,
         give(m, cord);
         if (!(numbersOf(cord).diameter > 0.0))
             m.diameter = typed; // the library does not know it of all cords
-        tearByStrength(m);
     });
     drop(materials.doubled, scene, network);
+}
+
+// What is known to break does so, as the craft would. The ideal is not.
+void tearByStrength(const CraftMaterials& materials, Scene& scene)
+{
+    for (const auto* list : {&materials.cloth, &materials.patches, &materials.hems,
+                             &materials.spars, &materials.wires, &materials.lines})
+        forEachMaterial(scene, *list, [](Material& m) {
+            if (m.warpStrength || m.weftStrength || m.lineStrength || m.breakingMoment)
+                m.tearRule = TearRule::Strength;
+        });
 }
 
 } // namespace
@@ -206,6 +201,7 @@ void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, 
         makeSpars(*spar, materials, scene);
     if (const Preset* cord = cordOf(p, choices))
         makeLine(*cord, materials, scene, network);
+    tearByStrength(materials, scene);
 }
 
 } // namespace ripstop

@@ -129,12 +129,9 @@ double DirectSolver::addBars(std::size_t first, std::size_t last)
 void DirectSolver::addContacts()
 {
     m_contacts.assemble([this](std::uint32_t row, const Mat3& stiffness, const Vec3& pull) {
-        BlockCholesky::Block& block = diagonal(row);
-        for (int c = 0; c < 3; ++c) {
-            for (int r = 0; r < 3; ++r)
-                block.column[c][r] += stiffness(r, c);
+        add(diagonal(row), blockOf(stiffness));
+        for (int c = 0; c < 3; ++c)
             m_move[row].v[c] += pull[c];
-        }
     });
 }
 

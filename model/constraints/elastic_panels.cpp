@@ -45,13 +45,6 @@ RIPSTOP_INLINE Tangent laneOf(const ClothStiffnessPack& s, int lane)
             s.warpWeft[lane], s.warpShear[lane], s.weftShear[lane]};
 }
 
-void put(Coordinates& into, int lane, const Vec3& value)
-{
-    into.x[lane] = value[0];
-    into.y[lane] = value[1];
-    into.z[lane] = value[2];
-}
-
 struct Square // of warp and weft, by row and column
 {
     double ww, wf, fw, ff;
@@ -222,6 +215,7 @@ void ElasticPanels::startFour(const System& system, std::span<const std::uint8_t
                               const RodPast& past, FourPanels& four)
 {
     const std::size_t first = 4 * std::size_t(&four - m_fours.data());
+    bool isDamped = false;
     Pack share{}; // r
     Coordinates last{}, back{};
     for (std::size_t k = 0; k < std::min<std::size_t>(4, m_panels.size() - first); ++k) {
@@ -237,19 +231,23 @@ void ElasticPanels::startFour(const System& system, std::span<const std::uint8_t
             four.law.set(lane, law);
         for (std::size_t i = 0; i < 4; ++i)
             four.shape[i][lane] = membrane.shape[i];
-        if (law.dampingTime == 0.0)
+        if (panel.gone || law.dampingTime == 0.0)
             continue;
+        isDamped = true;
         share[lane] = law.dampingTime / (law.dampingTime + past.reach);
         four.weight[lane] /= 1.0 - share[lane];
         Corners corners = cornersOf(system, membrane, past.before);
-        put(last, lane, strainAt(membrane, corners));
+        last.set(lane, strainAt(membrane, corners));
         if (past.drift.empty())
             continue;
         const Corners way = cornersOf(system, membrane, past.drift);
         for (std::size_t corner = 0; corner < 3; ++corner)
             corners[corner] -= past.h * way[corner];
-        put(back, lane, strainAt(membrane, corners));
+        back.set(lane, strainAt(membrane, corners));
     }
+    four.offset = Coordinates{};
+    if (!isDamped)
+        return;
     const auto leaveThreads = wideMachine ? wide::leaveThreads : anywhere::leaveThreads;
     leaveThreads(four.law, last);
     if (!past.drift.empty()) {

@@ -34,7 +34,7 @@ ClothTension ClothTensionPack::of(int lane) const
     one.state = isTaut[lane]       ? ClothState::Taut
                 : isWrinkled[lane] ? ClothState::Wrinkled
                                    : ClothState::Slack;
-    one.tension = {tension.x[lane], tension.y[lane], tension.z[lane]};
+    one.tension = tension.of(lane);
     const auto& s = stiffness;
     one.stiffness << s.warp[lane], s.warpWeft[lane], s.warpShear[lane], //
         s.warpWeft[lane], s.weft[lane], s.weftShear[lane],              //
@@ -49,9 +49,7 @@ ClothTension tensionOf(const ClothLaw& law, const Vec3& strain)
     Coordinates strains;
     for (int lane = 0; lane < 4; ++lane) {
         laws.set(lane, law);
-        strains.x[lane] = strain[0];
-        strains.y[lane] = strain[1];
-        strains.z[lane] = strain[2];
+        strains.set(lane, strain);
     }
     ClothTensionPack now;
     followLaws(laws, strains, now);

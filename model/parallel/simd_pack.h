@@ -40,6 +40,14 @@ struct alignas(32) Coordinates // of four vectors
     Pack x;
     Pack y;
     Pack z;
+
+    Vec3 of(int lane) const { return {x[lane], y[lane], z[lane]}; }
+    void set(int lane, const Vec3& value)
+    {
+        x[lane] = value[0];
+        y[lane] = value[1];
+        z[lane] = value[2];
+    }
 };
 
 // Aligned rows of x, y, z and a zero.

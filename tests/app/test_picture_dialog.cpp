@@ -1,13 +1,10 @@
 // The dialog that asks how a picture of the view is to be, and the pictures that come of it: their
 // sizes, what is behind things in them, and letters that stay letters.
 #include "files/picture_dialog.h"
-#include "viewport/viewport.h"
+#include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
 #include "builders/builder.h"
-#include "document/document.h"
-#include "document/player.h"
-#include "document/selection.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -19,20 +16,18 @@ namespace ripstop::test_picture_dialog {
 
 namespace {
 
-struct View
+Scene deltaKite()
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    Viewport viewport{document, selection, player};
+    const Builder& builder = *findBuilder("delta_kite");
+    return *build(builder, unsaid(builder));
+}
 
+struct View : BareView
+{
     View()
+        : BareView(deltaKite(), {400, 300})
     {
         QSettings().remove("picture");
-        viewport.resize(400, 300);
-        const Builder& builder = *findBuilder("delta_kite");
-        document.replace(*build(builder, unsaid(builder)));
-        static_cast<QWidget&>(viewport).show();
     }
     QByteArray written(const PictureLook& look, const QString& name)
     {

@@ -142,15 +142,27 @@ double pictureTime(MainWindow& window)
     return times[pictures / 2];
 }
 
+struct OpenWindow
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
+
+    OpenWindow()
+    {
+        window.resize(1280, 800);
+        window.show();
+    }
+};
+
 void timePictures(const QStringList& files)
 {
     for (const QString& file : files) {
-        Document document;
-        Selection selection(document);
-        Player player(document);
-        MainWindow window(document, selection, player, MainWindow::Memory::Ignore);
-        window.resize(1280, 800);
-        window.show();
+        OpenWindow open;
+        Document& document = open.document;
+        Player& player = open.player;
+        MainWindow& window = open.window;
         window.files().open(file);
         waitFor([&] { return player.frame() != nullptr; });
         wait(500);
@@ -208,12 +220,10 @@ int main(int argc, char** argv)
         return 1;
     }
 
-    Document document;
-    Selection selection(document);
-    Player player(document);
-    MainWindow window(document, selection, player, MainWindow::Memory::Ignore);
-    window.resize(1280, 800);
-    window.show();
+    OpenWindow open;
+    Document& document = open.document;
+    Player& player = open.player;
+    MainWindow& window = open.window;
     wait(500);
     Pulse pulse;
     int frames = 0;
@@ -272,7 +282,7 @@ int main(int argc, char** argv)
                 calls[calls.size() / 2], calls.back(), double(frames) / seconds);
 
     pulse.start();
-    selection.set({document.scene().items.front().id});
+    open.selection.set({document.scene().items.front().id});
     wait(1000);
     pulse.tell("a part is selected:");
     return 0;

@@ -169,9 +169,7 @@ private slots:
             Coordinates strain;
             for (std::size_t k = 0; k < 4; ++k) {
                 law.set(int(k), laws[(i + k) % laws.size()]);
-                strain.x[k] = strains[i + k][0];
-                strain.y[k] = strains[i + k][1];
-                strain.z[k] = strains[i + k][2];
+                strain.set(int(k), strains[i + k]);
             }
             ClothTensionPack now;
             followLaws(law, strain, now);

@@ -26,12 +26,7 @@ namespace ripstop::test_cloth_ramps {
 namespace {
 
 // N/m, of a taut cloth.
-Mat3 stiffnessOf(const ClothLaw& law)
-{
-    Mat3 stiffness;
-    stiffness << law.warp, law.coupling, 0.0, law.coupling, law.weft, 0.0, 0.0, 0.0, law.shear;
-    return stiffness;
-}
+Mat3 stiffnessOf(const ClothLaw& law) { return tensionOf(law, Vec3::Zero()).stiffness; }
 
 constexpr double stiff = 40e3;      // N/m, E t of kite cloth
 constexpr double gravity = 9.80665; // m/s^2

@@ -1,10 +1,7 @@
 // Sky, horizon and ground: where the horizon is seen, and which scenes have one.
 #include "camera/camera_projection.h"
-#include "document/document.h"
-#include "document/player.h"
-#include "document/selection.h"
 #include "layers/backdrop_layer.h"
-#include "viewport/viewport.h"
+#include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
 #include <Eigen/Geometry>
@@ -32,18 +29,11 @@ Scene panelAbove(bool ground)
     return scene;
 }
 
-struct View
+struct View : BareView
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    Viewport viewport{document, selection, player};
-
     explicit View(Scene scene)
+        : BareView(std::move(scene), size)
     {
-        viewport.resize(size);
-        document.replace(std::move(scene));
-        static_cast<QWidget&>(viewport).show();
         viewport.setTheme(Theme::light());
     }
     QImage seenFrom(const Camera& camera, Backdrop backdrop = Backdrop::Scenery)

@@ -5,12 +5,9 @@
 // Escape or the right button, keys, snapping and typed numbers; then runs, axes and the camera; at
 // the end the time that a large cloth takes to follow.
 #include "builders/builder.h"
-#include "document/document.h"
-#include "document/player.h"
-#include "document/selection.h"
 #include "overlays/centre_mark.h"
 #include "tools/transform_tool.h"
-#include "viewport/viewport.h"
+#include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
 #include "small_scenes.h"
@@ -22,19 +19,13 @@ namespace ripstop::test_gizmo {
 
 namespace {
 
-struct View
+struct View : BareView
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    Viewport viewport{document, selection, player};
     TransformTool& tool = viewport.transformTool();
 
     explicit View(Scene scene = oneOfEverything())
+        : BareView(std::move(scene), {600, 450})
     {
-        viewport.resize(600, 450);
-        document.replace(std::move(scene));
-        static_cast<QWidget&>(viewport).show();
         viewport.view(PresetView::Front); // x to the right, y up, z towards the eye
     }
 

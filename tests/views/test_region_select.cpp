@@ -5,13 +5,10 @@
 // bodies and colliders hide, each against a projection that is known; and times on 100 000
 // particles.
 #include "builders/builder.h"
-#include "document/document.h"
-#include "document/player.h"
-#include "document/selection.h"
 #include "look/scene_frame.h"
 #include "tools/pointing.h"
 #include "tools/region_tool.h"
-#include "viewport/viewport.h"
+#include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
 #include <QElapsedTimer>
@@ -68,19 +65,13 @@ struct Sheets
     Id material{};
 };
 
-struct View
+struct View : BareView
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    Viewport viewport{document, selection, player};
     Depth depth = Depth::Visible;
 
     explicit View(const Scene& scene, bool orthographic = true)
+        : BareView(scene, {400, 400})
     {
-        viewport.resize(400, 400);
-        document.replace(scene);
-        static_cast<QWidget&>(viewport).show();
         viewport.setOrthographic(orthographic);
         viewport.view(PresetView::Front);
         (void)QTest::qWaitForWindowExposed(&viewport);

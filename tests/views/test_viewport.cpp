@@ -4,15 +4,12 @@
 // torn panels, following cameras, clicks, fitting beside what is covered, drags of hands and
 // controls, turning and zooming; at the end the design of every builder has to fit the picture.
 #include "tools/pointing.h"
-#include "viewport/viewport.h"
+#include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
-#include "document/document.h"
-#include "document/player.h"
 #include "document/recordings.h"
-#include "document/selection.h"
 #include "layers/wind_layer.h"
 #include "look/steady_range.h"
 #include "simulation/simulation.h"
@@ -51,18 +48,11 @@ bool isReddish(const QColor& color)
     return color.red() > 2 * color.green() && color.red() > 2 * color.blue();
 }
 
-struct View
+struct View : BareView
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    Viewport viewport{document, selection, player};
-
     explicit View(Scene scene)
+        : BareView(std::move(scene), {400, 300})
     {
-        viewport.resize(400, 300);
-        document.replace(std::move(scene));
-        static_cast<QWidget&>(viewport).show();
         viewport.view(PresetView::Front);
     }
 

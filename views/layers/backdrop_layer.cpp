@@ -109,9 +109,7 @@ BackdropLayer::Shadow::Shadow()
 // A limb as a spindle of eight sides: what its shadow shows of it.
 void BackdropLayer::Shadow::add(const Limb& limb)
 {
-    const Vec3 way = limb.to - limb.from;
-    const Vec3 along = way.norm() > 1e-9 ? Vec3(way.normalized()) : Vec3::UnitY();
-    const Vec3 across = along.unitOrthogonal(), third = along.cross(across);
+    const auto& [along, across, third] = LimbAxes(limb);
     const int first = int(places.size());
     places.push_back(limb.from - limb.fromRadius * along);
     places.push_back(limb.to + limb.toRadius * along);
@@ -130,8 +128,14 @@ void BackdropLayer::Shadow::add(const Limb& limb)
     }
 }
 
+// Most of what stands on the ground does not move, and nothing does in a run that is paused.
 void BackdropLayer::Shadow::cast(double ground)
 {
+    if (ground == shownGround && places == shownPlaces && triangles == shownTriangles)
+        return;
+    shownGround = ground;
+    shownPlaces = places;
+    shownTriangles = triangles;
     map.cast(places, triangles, ground);
     if (map.isEmpty())
         return;

@@ -67,6 +67,9 @@ private:
         std::vector<Vec3> places; // m
         std::vector<std::array<int, 3>> triangles;
         ShadowMap map;
+        double shownGround = 0.0; // m, of what the map shows, as what follows
+        std::vector<Vec3> shownPlaces;
+        std::vector<std::array<int, 3>> shownTriangles;
         vtkNew<vtkImageData> image;
         vtkNew<vtkTexture> texture;
         vtkNew<vtkPoints> corners;

@@ -44,10 +44,7 @@ void PersonLayer::rebuild(const Picture& picture)
 
 void PersonLayer::add(const Limb& limb)
 {
-    const Vec3 way = limb.to - limb.from;
-    const Vec3 along = way.norm() > 1e-9 ? Vec3(way.normalized()) : Vec3::UnitY();
-    const Vec3 across = along.unitOrthogonal();
-    const Vec3 third = along.cross(across);
+    const auto& [along, across, third] = LimbAxes(limb);
     const vtkIdType first = m_points->GetNumberOfPoints();
     for (int ring = 0; ring < 2 * ringsPerEnd; ++ring) {
         const bool isNear = ring < ringsPerEnd;

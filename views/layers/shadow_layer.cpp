@@ -5,6 +5,22 @@
 #include <vtkRenderer.h>
 
 namespace ripstop {
+namespace {
+
+// The plane that the sun throws a hard shadow on; none where a level one has a soft one.
+const Collider* slope(const Scene& scene)
+{
+    if (levelPlane(scene))
+        return nullptr;
+    for (const Entry& entry : scene.items)
+        if (const Collider* plane = std::get_if<Collider>(&entry.item);
+            plane && plane->shown && plane->shape == ColliderShape::Plane
+            && plane->normal.dot(sunDirection) > 0.0)
+            return plane;
+    return nullptr;
+}
+
+} // namespace
 
 ShadowLayer::ShadowLayer(vtkPolyData& fabric)
 {
@@ -28,13 +44,9 @@ void ShadowLayer::setShown(bool shown)
 void ShadowLayer::rebuild(const Picture& picture)
 {
     setColor(*m_actor->GetProperty(), picture.theme.shadow);
-    m_hasGround = false;
-    const bool hasOther = levelPlane(picture.scene).has_value();
-    for (const Entry& entry : picture.scene.items) {
-        const Collider* plane = std::get_if<Collider>(&entry.item);
-        if (hasOther || !plane || !plane->shown || plane->shape != ColliderShape::Plane
-            || plane->normal.dot(sunDirection) <= 0.0)
-            continue;
+    const Collider* const plane = slope(picture.scene);
+    m_hasGround = plane != nullptr;
+    if (plane) {
         // p - s (n . (p - p0)) / (n . s): along the sun's rays s onto the plane
         const Vec3 weight = plane->normal / plane->normal.dot(sunDirection);
         const Eigen::Matrix3d linear =
@@ -46,8 +58,6 @@ void ShadowLayer::rebuild(const Picture& picture)
                 m_projection->SetElement(row, column, linear(row, column));
             m_projection->SetElement(row, 3, shift[row]);
         }
-        m_hasGround = true;
-        break;
     }
     setShown(m_shown);
 }

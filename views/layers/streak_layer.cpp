@@ -23,8 +23,7 @@ StreakLayer::StreakLayer()
     m_data->GetPointData()->SetScalars(m_colors);
     m_mapper->SetInputData(m_data);
     m_actor->SetMapper(m_mapper);
-    m_actor
-        ->ForceOpaqueOn(); // blended over all else: VTK's pass for what is translucent costs a lot
+    m_actor->ForceOpaqueOn(); // blended as it comes, as shadows are (backdrop_layer.cpp)
     m_actor->GetProperty()->LightingOff();
 }
 

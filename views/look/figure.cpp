@@ -252,4 +252,12 @@ std::vector<Limb> limbsOf(const Person& person, const Frame& frame,
     return {};
 }
 
+LimbAxes::LimbAxes(const Limb& limb)
+{
+    const Vec3 way = limb.to - limb.from;
+    along = way.norm() > 1e-9 ? Vec3(way.normalized()) : Vec3::UnitY();
+    across = along.unitOrthogonal();
+    third = along.cross(across);
+}
+
 } // namespace ripstop

@@ -22,6 +22,13 @@ struct Limb
     double fromRadius, toRadius; // m
 };
 
+// The way of a limb, which may have no length, and two directions across it; 1 long each.
+struct LimbAxes
+{
+    Vec3 along, across, third;
+    explicit LimbAxes(const Limb& limb);
+};
+
 // Empty when there is nobody: what they hold is out of reach, or not a place.
 std::vector<Limb> limbsOf(const Person& person, const Frame& frame,
                           const std::vector<ColliderBody>& colliders);

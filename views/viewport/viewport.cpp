@@ -27,6 +27,19 @@ constexpr int barGap = 4;     // pixels above the bar of a tool
 constexpr double room = 2.2;  // m, half of what is seen of a scene without anything in it
 constexpr double most = 0.65; // of the width, that a dialog may take from what is fitted
 
+// The fabric, or the network where there is none.
+void addSubject(std::vector<Vec3>& points, const Frame& frame)
+{
+    const std::size_t before = points.size();
+    for (std::size_t i = 0; i < frame.gone.size(); ++i)
+        if (!frame.gone[i])
+            for (const int particle : frame.layout->panelCorners[i])
+                points.push_back(frame.position[std::size_t(particle)]);
+    if (points.size() == before)
+        points.insert(points.end(), frame.position.begin(), frame.position.end());
+    std::erase_if(points, [](const Vec3& point) { return !point.allFinite(); });
+}
+
 } // namespace
 
 // --- frames and scene ------------------------------------------------------------------------
@@ -144,19 +157,6 @@ void Viewport::Private::fitNow()
     camera.fit(points, aspect(), overlayMargins());
     chase.settle(stage.frame().get());
     screen.renderSoon();
-}
-
-// The fabric, or the network where there is none.
-static void addSubject(std::vector<Vec3>& points, const Frame& frame)
-{
-    const std::size_t before = points.size();
-    for (std::size_t i = 0; i < frame.gone.size(); ++i)
-        if (!frame.gone[i])
-            for (const int particle : frame.layout->panelCorners[i])
-                points.push_back(frame.position[std::size_t(particle)]);
-    if (points.size() == before)
-        points.insert(points.end(), frame.position.begin(), frame.position.end());
-    std::erase_if(points, [](const Vec3& point) { return !point.allFinite(); });
 }
 
 // Once when they come; later the picture is left as it is, however far they fly. Says whether the
