@@ -1,7 +1,7 @@
 #include "cli/targets.h"
 
 #include "base/new_file.h"
-#include "shapes/shape_files.h"
+#include "derived/fabric_picture.h"
 #include "terminal/terminal.h"
 
 #include <filesystem>
@@ -56,10 +56,9 @@ int refuseTargets(const FileNames& targets, const FileNames& inputs)
 FileNames inputsOf(const Scene& scene, const std::string& file, FileNames others)
 {
     others.push_back(file);
-    for (const Entry& entry : scene.items)
-        if (const auto* collider = std::get_if<Collider>(&entry.item);
-            collider && !collider->file.empty())
-            others.push_back(placeOfFile(scene.folder.path, collider->file));
+    forEachFile(scene, [&](const std::string&, const std::string& name) {
+        others.push_back(placeOfFile(scene.folder.path, name));
+    });
     return others;
 }
 

@@ -2,7 +2,7 @@
 //
 //     README.md            what this is, and the command lines that make all of it again
 //     manifest.json        version, hashes of the states at start and end, sums of the files
-//     scene.ripstop.json   as it was flown; colliders/ has the files that it names
+//     scene.ripstop.json   as it was flown; files/ has those that it names
 //     controls.csv         what pilot and hands did, when they did anything
 //     run.ripstop-run      the recording, with the hash of each step
 //     probes.csv           the probes after each step, when the scene has any

@@ -20,7 +20,7 @@ inline constexpr const char* controls = "controls.csv";
 inline constexpr const char* recording = "run.ripstop-run";
 inline constexpr const char* probes = "probes.csv";
 inline constexpr const char* curves = "curves.svg";
-inline constexpr const char* colliders = "colliders"; // a folder
+inline constexpr const char* files = "files"; // a folder, of those that the scene names
 } // namespace bundled
 
 struct Manifest

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 8> contents{{
     {bundled::scene, "the design as it was flown"},
-    {bundled::colliders, "files that the design names"},
+    {bundled::files, "files that the design names"},
     {bundled::controls, "what pilot and hands did"},
     {bundled::recording, "the recording: look at it in the editor with File > Open recording"},
     {bundled::probes, "what the probes read after each time step, with units"},

@@ -11,7 +11,7 @@
 #include "bundle/readme.h"
 #include "bundle/zip_file.h"
 #include "compile/compile.h"
-#include "derived/collider_shape.h"
+#include "derived/fabric_picture.h"
 #include "export/export_run.h"
 #include "export/format.h"
 #include "io/recording_file.h"
@@ -84,7 +84,7 @@ std::optional<Failure> place(const fs::path& folder, const fs::path& target, con
                    error.message());
 }
 
-// Copies of the files that colliders name, so that the bundle needs nothing else.
+// Copies of the files that colliders and materials name, so that the bundle needs nothing else.
 class Copies
 {
 public:
@@ -96,19 +96,22 @@ public:
     Result<Scene> instead(const Scene& scene)
     {
         Scene own = scene;
-        for (Entry& entry : own.items) {
-            auto* collider = std::get_if<Collider>(&entry.item);
-            if (!collider || collider->file.empty())
-                continue;
-            const fs::path file = placeOfFile(scene.folder.path, collider->file);
-            const auto [name, isNew] = m_names.try_emplace(file);
+        std::optional<Failure> failure;
+        forEachFile(own, [&](const std::string& owner, std::string& name) {
+            const fs::path file = placeOfFile(scene.folder.path, name);
+            if (std::error_code error; !fs::exists(file, error))
+                return; // a picture, which the design flies without
+            const auto [copied, isNew] = m_names.try_emplace(file);
             if (isNew) // the number keeps files of one name apart
-                name->second = fs::path(bundled::colliders)
-                               / (std::to_string(m_names.size()) + "_" + file.filename().string());
-            if (auto failure = isNew ? copy(file, name->second) : std::nullopt)
-                return Failure("Collider %1: %2", collider->name, failure->message);
-            collider->file = name->second.generic_string();
-        }
+                copied->second =
+                    fs::path(bundled::files)
+                    / (std::to_string(m_names.size()) + "_" + file.filename().string());
+            if (auto problem = isNew ? copy(file, copied->second) : std::nullopt)
+                failure = Failure("%1: %2", owner, problem->message);
+            name = copied->second.generic_string();
+        });
+        if (failure)
+            return *failure;
         own.folder.path = m_folder.string();
         return own;
     }
@@ -117,7 +120,7 @@ private:
     std::optional<Failure> copy(const fs::path& file, const fs::path& name) const
     {
         std::error_code error;
-        fs::create_directory(m_folder / bundled::colliders, error);
+        fs::create_directory(m_folder / bundled::files, error);
         fs::copy_file(file, m_folder / name, error);
         if (!error)
             return std::nullopt;

@@ -17,6 +17,7 @@
 #include "check/unknown_items.h"
 #include "derived/canopy_shape.h"
 #include "derived/collider_shape.h"
+#include "derived/fabric_picture.h"
 #include "derived/formula.h"
 #include "scene/element_index.h"
 
@@ -249,6 +250,9 @@ private:
             if (const Collider* collider = std::get_if<Collider>(&entry.item))
                 if (auto error = colliderError(m_scene, *collider))
                     add("collider", Severity::Error, std::move(*error), entry.id);
+            if (const Material* material = std::get_if<Material>(&entry.item))
+                if (auto warning = pictureWarning(m_scene, *material))
+                    add("picture", Severity::Warning, std::move(*warning), entry.id);
             if (const Wind* wind = std::get_if<Wind>(&entry.item))
                 if (wind->kind == WindKind::LogLaw && !(wind->roughness < wind->referenceHeight))
                     add("roughness", Severity::Error,

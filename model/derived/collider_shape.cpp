@@ -1,8 +1,7 @@
 // From the authored collider to a solid, in the order of the header: its turn as a matrix, the
 // heights or triangles that its row in the table of shapes is made of, and the solid that points
-// at them. Then what depends on more than the shape: the name of its file as seen from another
-// folder, its errors (path, numbers, file, in this order), and the warning for a collider that
-// fits between particles.
+// at them. Then what depends on more than the shape: its errors (path, numbers, file, in this
+// order), and the warning for a collider that fits between particles.
 #include "derived/collider_shape.h"
 
 #include "scene/collider_path.h"
@@ -76,22 +75,6 @@ Solid solidOf(const Collider& collider, const ShapeData& data)
             .margin = collider.thickness,
             .grid = data.grid.get(),
             .mesh = data.mesh.get()};
-}
-
-std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,
-                         const Collider& collider)
-{
-    namespace fs = std::filesystem;
-    if (collider.file.empty() || fs::path(collider.file).is_absolute())
-        return collider.file;
-    const auto orHere = [](const fs::path& folder) { return folder.empty() ? "." : folder; };
-    const fs::path from = orHere(scene.folder.path), to = orHere(newFolder);
-    const fs::path place = placeOfFile(scene.folder.path, collider.file);
-    std::error_code error;
-    if (!fs::exists(place, error) || fs::equivalent(from, to, error))
-        return collider.file;
-    const fs::path seen = fs::proximate(place, to, error);
-    return error ? collider.file : seen.generic_string();
 }
 
 std::optional<Message> colliderError(const Scene& scene, const Collider& collider)

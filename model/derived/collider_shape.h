@@ -40,11 +40,6 @@ Result<ShapeData> shapeDataOf(const Scene& scene, const Collider& collider,
 // outlive it.
 Solid solidOf(const Collider& collider, const ShapeData& data = {});
 
-// How the file of the collider is named in a scene that lies in another folder. An absolute path
-// stays as it is, and so does that of a file that is not there: it may be meant to come.
-std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,
-                         const Collider& collider);
-
 // What keeps the collider from working, as a sentence, or nothing.
 std::optional<Message> colliderError(const Scene& scene, const Collider& collider);
 

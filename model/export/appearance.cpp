@@ -1,5 +1,7 @@
 #include "export/appearance.h"
 
+#include "derived/fabric_picture.h"
+
 #include <algorithm>
 #include <charconv>
 
@@ -32,6 +34,11 @@ MeshAppearance::MeshAppearance(const Scene& scene)
         if (const auto* material = std::get_if<Material>(&entry.item)) {
             materials.emplace_back(std::uint32_t(entry.id), m_fabrics.size());
             m_fabrics.push_back({material->name, colorFrom(material->color)});
+            m_prints.emplace_back();
+            for (const PrintedPoint& point : printedPoints(scene, entry.id))
+                m_prints.back().emplace_back(point.particle, point.at);
+            if (!m_prints.back().empty())
+                m_fabrics.back().picture = placeOfFile(scene.folder.path, material->picture);
         }
     std::ranges::sort(materials);
 
@@ -63,6 +70,13 @@ MeshAppearance::MeshAppearance(const Scene& scene)
 MeshAppearance::TexturePoint MeshAppearance::textureOf(std::uint32_t particle) const
 {
     const TexturePoint* point = find(m_texture, particle);
+    return point ? *point : TexturePoint{};
+}
+
+MeshAppearance::TexturePoint MeshAppearance::printOf(std::size_t fabric,
+                                                     std::uint32_t particle) const
+{
+    const TexturePoint* point = find(m_prints[fabric], particle);
     return point ? *point : TexturePoint{};
 }
 

@@ -6,6 +6,7 @@
 #include "simulation/frame.h"
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,8 @@ public:
     struct Fabric
     {
         std::string name;
-        std::array<double, 3> color; // red, green, blue, 0 to 1, as screens have them (sRGB)
+        std::array<double, 3> color;        // red, green, blue, 0 to 1, as screens have them (sRGB)
+        std::filesystem::path picture = {}; // on the fabric, a PNG or JPEG; empty for none
     };
     using TexturePoint = std::array<double, 2>; // u to the right and v up, 0 to 1
 
@@ -28,6 +30,9 @@ public:
     // False when no particle has been given a place in the picture.
     bool isTextured() const { return !m_texture.empty(); }
     TexturePoint textureOf(std::uint32_t particle) const; // by id
+
+    // The place in the picture of a fabric that has one, which may lie elsewhere than u and v do.
+    TexturePoint printOf(std::size_t fabric, std::uint32_t particle) const;
 
     const std::string& name() const { return m_name; } // of the scene's first part
     const std::vector<Fabric>& fabrics() const { return m_fabrics; }
@@ -43,7 +48,8 @@ private:
     std::string m_name = "fabric";
     Rows<TexturePoint> m_texture;
     Rows<std::size_t> m_fabricOf;
-    std::vector<std::uint32_t> m_threads; // ids, ascending
+    std::vector<std::uint32_t> m_threads;         // ids, ascending
+    std::vector<Rows<TexturePoint>> m_prints{{}}; // [fabrics]
     std::vector<Fabric> m_fabrics{{"fabric", {0.8, 0.8, 0.8}}};
 };
 

@@ -79,10 +79,13 @@ Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const MeshAppearance& a
         return first.failure();
     for (const Eigen::Vector3f& x : *first)
         mesh.m_surface.position.push_back(x.cast<double>());
+    std::vector<std::uint32_t> ids; // of the vertices
+    for (const Source& source : mesh.m_vertices)
+        ids.push_back(last.particleId[mesh.particleOf(last, source)]);
     if (appearance.isTextured())
-        for (const Source& source : mesh.m_vertices)
-            mesh.m_surface.texture.push_back(
-                appearance.textureOf(last.particleId[mesh.particleOf(last, source)]));
+        for (const std::uint32_t id : ids)
+            mesh.m_surface.texture.push_back(appearance.textureOf(id));
+    takePrints(mesh.m_surface, appearance, ids);
     return mesh;
 }
 

@@ -4,6 +4,7 @@
 #include "export/export_run.h"
 
 #include "export/format.h"
+#include "export/moment.h"
 #include "io/whole_file.h"
 
 #include <algorithm>
@@ -114,8 +115,15 @@ std::optional<Failure> writeMoment(const Frame& frame, const MeshAppearance& app
     if (!format->content)
         return Failure("%1 is a series; for one moment %2.", target.string(),
                        knownEndings(EndingsOf::Moments));
-    const auto content = format->content(frame, appearance);
-    return content ? replaceFile(target, *content, Flush::Later) : content.failure();
+    auto content = format->content(frame, appearance);
+    if (!content)
+        return content.failure();
+    if (const auto materials = objMaterials(target, appearance)) {
+        *content = materials->line + *content;
+        if (auto failure = replaceFile(materials->file, materials->text, Flush::Later))
+            return failure;
+    }
+    return replaceFile(target, *content, Flush::Later);
 }
 
 std::optional<Failure> exportRun(FrameSource& source, const MeshAppearance& appearance,

@@ -4,6 +4,7 @@
 
 #include "export/moment.h"
 #include "export/spooled_sink.h"
+#include "io/whole_file.h"
 
 #include <tiny_gltf.h>
 
@@ -54,20 +55,40 @@ public:
                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     }
 
+    // A file as it is, and the texture of it.
+    int addPicture(std::string_view bytes)
+    {
+        addView(bytes.data(), bytes.size(), 0);
+        tinygltf::Image image;
+        image.bufferView = int(m_model.bufferViews.size()) - 1;
+        image.mimeType = bytes.starts_with("\xff\xd8") ? "image/jpeg" : "image/png";
+        m_model.images.push_back(std::move(image));
+        tinygltf::Texture texture;
+        texture.source = int(m_model.images.size()) - 1;
+        m_model.textures.push_back(std::move(texture));
+        std::vector<unsigned char>& data = m_model.buffers[0].data;
+        data.resize((data.size() + 3) / 4 * 4); // what follows are numbers of four bytes
+        return int(m_model.textures.size()) - 1;
+    }
+
 private:
-    template <typename T>
-    int add(std::span<const T> values, std::size_t count, int type, int component, int target)
+    void addView(const void* from, std::size_t size, int target)
     {
         std::vector<unsigned char>& data = m_model.buffers[0].data;
         tinygltf::BufferView view;
         view.buffer = 0;
         view.byteOffset = data.size();
-        view.byteLength = values.size_bytes();
+        view.byteLength = size;
         view.target = target;
-        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-        data.insert(data.end(), bytes, bytes + values.size_bytes());
+        const auto* bytes = static_cast<const unsigned char*>(from);
+        data.insert(data.end(), bytes, bytes + size);
         m_model.bufferViews.push_back(std::move(view));
+    }
 
+    template <typename T>
+    int add(std::span<const T> values, std::size_t count, int type, int component, int target)
+    {
+        addView(values.data(), values.size_bytes(), target);
         tinygltf::Accessor accessor;
         accessor.bufferView = int(m_model.bufferViews.size()) - 1;
         accessor.componentType = component;
@@ -103,8 +124,9 @@ std::vector<float> flat(const std::vector<Vec3>& vectors)
     return flat(single);
 }
 
-void addMaterials(tinygltf::Model& model, const Surface& surface)
+void addMaterials(Builder& builder, const Surface& surface)
 {
+    tinygltf::Model& model = builder.model();
     for (const MeshAppearance::Fabric& fabric : surface.fabrics) {
         tinygltf::Material material;
         material.name = fabric.name;
@@ -113,6 +135,14 @@ void addMaterials(tinygltf::Model& model, const Surface& surface)
         material.pbrMetallicRoughness.roughnessFactor = 0.8;
         material.pbrMetallicRoughness.baseColorFactor = {
             linear(fabric.color[0]), linear(fabric.color[1]), linear(fabric.color[2]), 1.0};
+        // a file that has gone since the design was looked at leaves the cloth plain
+        const auto anyStart = [](std::string_view) { return std::optional<Message>(); };
+        const auto picture = fabric.picture.empty() ? Result<std::string>(std::string())
+                                                    : readWholeFile(fabric.picture, anyStart);
+        if (picture && !picture->empty()) {
+            material.pbrMetallicRoughness.baseColorTexture.index = builder.addPicture(*picture);
+            material.pbrMetallicRoughness.baseColorFactor = {1.0, 1.0, 1.0, 1.0};
+        }
         model.materials.push_back(std::move(material));
     }
 }
@@ -131,12 +161,14 @@ tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
                              Vec3(Vec3::UnitY())); // all must be of length 1
         common.attributes["NORMAL"] = builder.addNumbers(flat(up), 3, vertices);
     }
-    if (!surface.texture.empty()) {
+    const auto addTexture = [&](const std::vector<MeshAppearance::TexturePoint>& points) {
         std::vector<float> texture; // v points down here
-        for (const auto& [u, v] : surface.texture)
+        for (const auto& [u, v] : points)
             texture.insert(texture.end(), {float(u), float(1.0 - v)});
-        common.attributes["TEXCOORD_0"] = builder.addNumbers(texture, 2, vertices);
-    }
+        return builder.addNumbers(texture, 2, vertices);
+    };
+    if (!surface.texture.empty())
+        common.attributes["TEXCOORD_0"] = addTexture(surface.texture);
 
     tinygltf::Mesh mesh;
     mesh.name = surface.name;
@@ -151,6 +183,8 @@ tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
         mesh.primitives.back().mode = TINYGLTF_MODE_TRIANGLES;
         mesh.primitives.back().indices = builder.addIndices(corners);
         mesh.primitives.back().material = int(fabric);
+        if (surface.isPrinted(fabric))
+            mesh.primitives.back().attributes["TEXCOORD_0"] = addTexture(surface.prints[fabric]);
     }
     if (!surface.lines.empty()) {
         std::vector<std::uint32_t> ends;
@@ -224,7 +258,7 @@ std::optional<Failure> addTargets(Builder& builder, tinygltf::Mesh& mesh, FrameS
 void complete(Builder& builder, tinygltf::Mesh mesh, const Surface& surface)
 {
     tinygltf::Model& model = builder.model();
-    addMaterials(model, surface);
+    addMaterials(builder, surface);
     model.asset.version = "2.0";
     model.asset.generator = "Ripstop " RIPSTOP_VERSION;
     tinygltf::Node node;

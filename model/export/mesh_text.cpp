@@ -1,6 +1,7 @@
 // objText() writes positions, texture points and normals, then the faces, with a group where the
 // fabric changes, and the lines as the last group. One number serves as the index of position,
-// texture point and normal, since a vertex has one of each; OBJ counts from 1.
+// texture point and normal, since a vertex has one of each; OBJ counts from 1. The places in
+// pictures follow as further texture points, as many for each fabric that has one.
 //
 // plyMoment() must declare its counts before the rows, so it first finds which panels and links
 // still stand. Then come particles with velocities, panels, and links with strain and tension.
@@ -40,6 +41,17 @@ std::string oneWord(std::string name)
     return name;
 }
 
+void appendTexture(std::string& text, const std::vector<MeshAppearance::TexturePoint>& points)
+{
+    for (const auto& [u, v] : points) {
+        text += "vt ";
+        appendNumber(text, u);
+        text += ' ';
+        appendNumber(text, v);
+        text += '\n';
+    }
+}
+
 std::string title(const Frame& frame)
 {
     std::string text = "Ripstop " RIPSTOP_VERSION ", t = ";
@@ -54,13 +66,15 @@ std::string objText(const Surface& surface)
     std::string text = "# Ripstop " RIPSTOP_VERSION "; metres, y up\n";
     for (const Vec3& position : surface.position)
         appendRow(text, "v ", position);
-    for (const auto& [u, v] : surface.texture) {
-        text += "vt ";
-        appendNumber(text, u);
-        text += ' ';
-        appendNumber(text, v);
-        text += '\n';
+    appendTexture(text, surface.texture);
+    std::size_t points = surface.texture.size();
+    std::vector<std::size_t> before; // [fabrics] texture points before those of its picture
+    for (const auto& print : surface.prints) {
+        appendTexture(text, print);
+        before.push_back(points);
+        points += print.size();
     }
+    const bool isPrinted = points > surface.texture.size();
     if (!surface.panels.empty())
         for (const Vec3& normal : normalsOf(surface))
             appendRow(text, "vn ", normal);
@@ -70,13 +84,18 @@ std::string objText(const Surface& surface)
     for (std::size_t i = 0; i < surface.panels.size(); ++i) {
         if (surface.fabric[i] != fabric) {
             fabric = surface.fabric[i];
-            text += "g " + oneWord(surface.fabrics[*fabric].name) + '\n';
+            const std::string name = oneWord(surface.fabrics[*fabric].name);
+            text += "g " + name + '\n' + (isPrinted ? "usemtl " + name + '\n' : "");
         }
         text += 'f';
         for (const int corner : surface.panels[i]) {
             const std::string number = std::to_string(corner + 1);
             text += ' ' + number + '/';
-            text += (surface.texture.empty() ? "" : number) + '/' + number;
+            if (surface.isPrinted(*fabric))
+                text += std::to_string(before[*fabric] + std::size_t(corner) + 1);
+            else if (!surface.texture.empty())
+                text += number;
+            text += '/' + number;
         }
         text += '\n';
     }
@@ -89,6 +108,32 @@ std::string objText(const Surface& surface)
 Result<std::string> objMoment(const Frame& frame, const MeshAppearance& appearance)
 {
     return objText(surfaceOf(frame, appearance));
+}
+
+std::optional<ObjMaterials> objMaterials(const std::filesystem::path& obj,
+                                         const MeshAppearance& appearance)
+{
+    const auto& fabrics = appearance.fabrics();
+    if (obj.extension() != ".obj"
+        || std::ranges::all_of(fabrics, [](const auto& f) { return f.picture.empty(); }))
+        return std::nullopt;
+    ObjMaterials materials{std::filesystem::path(obj).replace_extension(".mtl"), {}, {}};
+    materials.line = "mtllib " + materials.file.filename().string() + '\n';
+    for (const MeshAppearance::Fabric& fabric : fabrics) {
+        materials.text += "newmtl " + oneWord(fabric.name) + "\nKd";
+        for (const double part : fabric.color) {
+            materials.text += ' ';
+            appendNumber(materials.text, fabric.picture.empty() ? part : 1.0);
+        }
+        materials.text += '\n';
+        if (fabric.picture.empty())
+            continue;
+        std::error_code error;
+        const auto seen = std::filesystem::proximate(
+            fabric.picture, std::filesystem::absolute(obj).parent_path(), error);
+        materials.text += "map_Kd " + (error ? fabric.picture : seen).generic_string() + '\n';
+    }
+    return materials;
 }
 
 Result<std::string> plyMoment(const Frame& frame, const MeshAppearance&)

@@ -5,6 +5,8 @@
 #include "base/result.h"
 #include "export/surface.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace ripstop {
@@ -12,6 +14,17 @@ namespace ripstop {
 // With texture points and normals. Vertices are particles, faces panels, lines links that are no
 // thread of the fabric.
 std::string objText(const Surface& surface);
+
+// The materials beside an OBJ, where fabrics have pictures: a file, what is in it, and the line by
+// which the OBJ names it. Nothing for plain fabrics and for other formats.
+struct ObjMaterials
+{
+    std::filesystem::path file;
+    std::string text;
+    std::string line;
+};
+std::optional<ObjMaterials> objMaterials(const std::filesystem::path& obj,
+                                         const MeshAppearance& appearance);
 
 // Particles with velocities, panels, and all links with strain and tension; text, numbers exact.
 Result<std::string> plyMoment(const Frame& frame, const MeshAppearance& appearance);

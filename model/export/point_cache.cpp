@@ -1,3 +1,5 @@
+// Both formats are a header and then the places of all vertices, frame after frame; they differ in
+// the header and in the order of bytes. The mesh that they move is written beside them.
 #include "export/point_cache.h"
 
 #include "export/moment.h"
@@ -72,7 +74,14 @@ private:
             out << bytes;
         }
         std::filesystem::path obj = target();
-        return files().write(obj.replace_extension(".obj"), objText(mesh.surface()));
+        obj.replace_extension(".obj");
+        std::string text = objText(mesh.surface());
+        if (const auto materials = objMaterials(obj, appearance())) {
+            text = materials->line + text;
+            if (auto failure = files().write(materials->file, materials->text))
+                return failure;
+        }
+        return files().write(obj, text);
     }
 
     Header m_header;

@@ -28,9 +28,15 @@ public:
 
     std::optional<Failure> add(const Frame& frame) override
     {
-        const auto content = m_content(frame, m_appearance);
+        auto content = m_content(frame, m_appearance);
         if (!content)
             return content.failure();
+        if (const auto materials = objMaterials(fileOfFrame(m_target, 0), m_appearance)) {
+            *content = materials->line + *content;
+            if (m_count == 0)
+                if (auto failure = m_files.write(materials->file, materials->text))
+                    return failure;
+        }
         return m_files.write(fileOfFrame(m_target, m_count++), *content);
     }
 

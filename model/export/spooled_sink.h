@@ -52,6 +52,7 @@ protected:
                                          const Progress& progress) = 0;
 
     const std::filesystem::path& target() const { return m_target; }
+    const MeshAppearance& appearance() const { return m_appearance; }
     OutputFiles& files() { return m_files; }
     FrameSpool& spool() { return m_spool; }
 

@@ -18,6 +18,7 @@ Surface surfaceOf(const Frame& frame, const MeshAppearance& appearance)
     if (appearance.isTextured())
         for (const std::uint32_t id : layout.particleId)
             surface.texture.push_back(appearance.textureOf(id));
+    takePrints(surface, appearance, layout.particleId);
     for (const std::size_t i : whole.panels) {
         surface.panels.push_back(layout.panelCorners[i]);
         surface.fabric.push_back(appearance.fabricOf(layout.panelId[i]));
@@ -28,6 +29,16 @@ Surface surfaceOf(const Frame& frame, const MeshAppearance& appearance)
             surface.lines.push_back({link.a, link.b});
     }
     return surface;
+}
+
+void takePrints(Surface& surface, const MeshAppearance& appearance,
+                std::span<const std::uint32_t> particle)
+{
+    surface.prints.resize(surface.fabrics.size());
+    for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric)
+        if (!surface.fabrics[fabric].picture.empty())
+            for (const std::uint32_t id : particle)
+                surface.prints[fabric].push_back(appearance.printOf(fabric, id));
 }
 
 std::vector<Vec3> normalsOf(const Surface& surface)

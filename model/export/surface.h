@@ -6,6 +6,7 @@
 #include "simulation/frame.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace ripstop {
@@ -15,15 +16,23 @@ struct Surface
     std::string name;
     std::vector<Vec3> position;                        // [vertices] m, y up
     std::vector<MeshAppearance::TexturePoint> texture; // [vertices], or empty
+    // [fabrics][vertices] in the picture of the fabric; empty for one without
+    std::vector<std::vector<MeshAppearance::TexturePoint>> prints;
     std::vector<std::array<int, 3>> panels; // corners, counter-clockwise seen from the front
     std::vector<std::size_t> fabric;        // [panels] index into `fabrics`
     std::vector<std::array<int, 2>> lines;  // links but for the threads of fabric
     std::vector<MeshAppearance::Fabric> fabrics;
+
+    bool isPrinted(std::size_t one) const { return one < prints.size() && !prints[one].empty(); }
 };
 
 // Every particle is a vertex, so that vertex i is the same particle in every moment. Panels that
 // are gone and links that are torn are left out.
 Surface surfaceOf(const Frame& frame, const MeshAppearance& appearance);
+
+// The vertices' places in the pictures of all fabrics, where `particle` has the id of each vertex.
+void takePrints(Surface& surface, const MeshAppearance& appearance,
+                std::span<const std::uint32_t> particle);
 
 // Of unit length, the mean of the panels around by their areas; zero where there is none.
 std::vector<Vec3> normalsOf(const Surface& surface);

@@ -2,7 +2,7 @@
 // elements would take gigabytes.
 #include "io/scene_file.h"
 
-#include "derived/collider_shape.h"
+#include "derived/fabric_picture.h"
 #include "io/json_text.h"
 #include "io/json_value.h"
 #include "scene/property.h"
@@ -130,7 +130,12 @@ private:
         appendValue(m_text, entry.id);
         if (const Collider* collider = std::get_if<Collider>(&entry.item); collider && m_folder) {
             Collider moved = *collider;
-            moved.file = fileSeenFrom(*m_folder, m_scene, *collider);
+            moved.file = fileSeenFrom(*m_folder, m_scene, collider->file);
+            addProperties(&moved);
+        } else if (const Material* material = std::get_if<Material>(&entry.item);
+                   material && m_folder) {
+            Material moved = *material;
+            moved.picture = fileSeenFrom(*m_folder, m_scene, material->picture);
             addProperties(&moved);
         } else {
             addProperties(ref);

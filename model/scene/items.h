@@ -121,6 +121,11 @@ struct Material
     std::string name = "material";
     std::string color = "#c8553d";
     bool shown = true;
+    std::string picture;                     // on the fabric, a PNG or JPEG; beside the scene file
+    double pictureWidth = 0.0;               // m; 0 lays it once over the u and v of the mesh
+    double pictureRight = 0.0;               // 1, of its width, from the middle
+    double pictureUp = 0.0;                  // 1, of its height
+    double pictureTurn = 0.0;                // degrees, counter-clockwise
     double stiffness = 100.0;                // N/m, springs
     double damping = 0.0;                    // N s/m, springs
     double compliance = 0.0;                 // m/N, rods

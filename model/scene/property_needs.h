@@ -105,6 +105,7 @@ inline constexpr Need isAbstract = need([](const Material& m, const Around& a) {
 inline constexpr Need tears = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Never; }, idle::neverTears);
 inline constexpr Need hasTearLimit = need([](const Material& m, const Around&) { return !isByStrength(m.tearRule); }, "its strengths are the limits");
 inline constexpr Need givesTearLimit = need([](const Around& a) { return a.made.ownTearLimit < a.made.links() || a.made.elasticPanels > 0; }, idle::ownOfLinks);
+inline constexpr Need hasPicture = need([](const Material& m, const Around&) { return !m.picture.empty(); }, "it has no picture");
 inline constexpr Need hasDiameter = need([](const Material& m, const Around&) { return m.diameter != 0.0; }, "the line diameter is 0");
 
 // air and wind

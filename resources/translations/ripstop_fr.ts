@@ -2439,6 +2439,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>l’air sur la toile</translation>
     </message>
     <message>
+        <location filename="fabric_picture.cpp"/>
+        <source>%1 cannot be read: check the path.</source>
+        <translation>%1 ne peut pas être lu : vérifier le chemin.</translation>
+    </message>
+    <message>
+        <location filename="fabric_picture.cpp"/>
+        <source>%1 is neither a PNG nor a JPEG: save the picture as one of these.</source>
+        <translation>%1 n’est ni un PNG ni un JPEG : enregistrer l’image sous l’un de ces formats.</translation>
+    </message>
+    <message>
+        <location filename="fabric_picture.cpp"/>
+        <source>Material %1 is drawn without its picture: %2</source>
+        <translation>Le matériau %1 est dessiné sans son image : %2</translation>
+    </message>
+    <message>
         <location filename="fan_tool.cpp"/>
         <source>%1 m/s · wheel: strength · Ctrl + wheel: spread %2°</source>
         <translation>%1 m/s · molette : force · Ctrl + molette : ouverture %2°</translation>
@@ -8333,6 +8348,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="shape_file.cpp"/>
+        <source>Choose a picture for the fabric</source>
+        <translation>Choisir une image pour le tissu</translation>
+    </message>
+    <message>
+        <location filename="shape_file.cpp"/>
         <source>Choose a picture of heights</source>
         <translation>Choisir une image de hauteurs</translation>
     </message>
@@ -8340,6 +8360,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="shape_file.cpp"/>
         <source>Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off *.vtp *.vtu);;All files (*)</source>
         <translation>Maillages (*.obj *.stl *.ply *.gltf *.glb *.dae *.off *.vtp *.vtu);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="shape_file.cpp"/>
+        <source>Pictures (*.png *.jpg *.jpeg);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <location filename="shape_file.cpp"/>
@@ -9901,6 +9926,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>A flag with a picture of its own: a PNG beside the scene, named by the material of the flag. Tune where it lies: its width, 0 to 1.2 m, and its turn.</source>
+        <translation>Un drapeau qui a sa propre image : un PNG à côté de la scène, nommé par le matériau du drapeau. Réglez sa place : sa largeur, de 0 à 1,2 m, et sa rotation.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A flexible wing with a pilot who steers by shifting weight.</source>
         <translation>Une aile souple avec un pilote qui dirige en déportant son poids.</translation>
     </message>
@@ -10278,6 +10308,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Angle between the warp of real cloth and the trailing edge, mirrored at the keel; at 90 it runs along the keel.</source>
         <translation>Angle entre la chaîne d’une vraie toile et le bord de fuite, en miroir de part et d’autre de la quille ; à 90 elle suit la quille.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle by which the picture is turned on the cloth, counter-clockwise about its middle.</source>
+        <translation>Angle dont l’image est tournée sur le tissu, dans le sens inverse des aiguilles d’une montre, autour de son milieu.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11866,6 +11901,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>How far the picture is moved to the right, of its own width.</source>
+        <translation>De combien l’image est déplacée vers la droite, en part de sa largeur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the picture is moved up, of its own height.</source>
+        <translation>De combien l’image est déplacée vers le haut, en part de sa hauteur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>How far the pilot can shift either way.</source>
         <translation>De combien le pilote peut se déporter de part et d’autre.</translation>
     </message>
@@ -13246,6 +13291,31 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Picture printed on fabric of this material (PNG or JPEG), beside the scene file.</source>
+        <translation>Image imprimée sur le tissu de ce matériau (PNG ou JPEG), à côté du fichier de la scène.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Picture to the right</source>
+        <translation>Image vers la droite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Picture turn</source>
+        <translation>Rotation de l’image</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Picture upwards</source>
+        <translation>Image vers le haut</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Picture width</source>
+        <translation>Largeur de l’image</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Pilot and harness.</source>
         <translation>Pilote et harnais.</translation>
     </message>
@@ -13413,6 +13483,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Pressure z</source>
         <translation>Centre de poussée z</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Printed flag</source>
+        <translation>Drapeau imprimé</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14956,6 +15031,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Width of one picture on the cloth, its height as it is tall; it repeats, and 0 lays one over u and v of the mesh.</source>
+        <translation>Largeur d’une image sur le tissu, sa hauteur suivant ses proportions ; elle se répète, et 0 en pose une seule sur les u et v du maillage.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full.</source>
         <translation>Largeur de la bouche au départ, rapportée au diamètre nominal, la toile en plis, avec une pression de voilure seulement ; 0 démarre gonflé.</translation>
     </message>
@@ -15098,6 +15178,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>it has no membrane stiffness</source>
         <translation>il n’a pas de raideur de membrane</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>it has no picture</source>
+        <translation>il n’a pas d’image</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -17068,6 +17153,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Draw the links that stand for fabric on it, as wires; those that show a quantity always are.</source>
+        <translation>Dessiner en fils, sur le tissu, les liens qui en tiennent lieu ; ceux qui montrent une grandeur le sont toujours.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Draw the warp of elastic panels as short strokes.</source>
         <translation>Dessiner la chaîne des panneaux élastiques par de petits traits.</translation>
     </message>
@@ -17260,6 +17350,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="view_rows.cpp"/>
         <source>Show lin&amp;ks</source>
         <translation>Montrer les &amp;liaisons</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show mesh</source>
+        <translation>Afficher le maillage</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>

@@ -8,7 +8,6 @@
 #include <QFileDialog>
 
 namespace ripstop {
-namespace {} // namespace
 
 QString askShapeFile(QWidget* parent, const Document& document, ColliderShape shape)
 {
@@ -19,6 +18,15 @@ QString askShapeFile(QWidget* parent, const Document& document, ColliderShape sh
         isMesh ? words(
             "Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off *.vtp *.vtu);;All files (*)")
                : words("Pictures (*.png *.pgm);;All files (*)"));
+    return file.isEmpty() ? file : namedFrom(folder, file);
+}
+
+QString askPictureFile(QWidget* parent, const Document& document)
+{
+    const QString folder = QString::fromStdString(document.scene().folder.path);
+    const QString file =
+        QFileDialog::getOpenFileName(parent, words("Choose a picture for the fabric"), folder,
+                                     words("Pictures (*.png *.jpg *.jpeg);;All files (*)"));
     return file.isEmpty() ? file : namedFrom(folder, file);
 }
 

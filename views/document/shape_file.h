@@ -1,4 +1,4 @@
-// How the window asks for the file of a collider's shape, and how a scene names it: from its own
+// How the window asks for the files that a scene names, and how the scene does so: from its own
 // folder where the file lies there, so that both can be moved together.
 #pragma once
 
@@ -15,6 +15,9 @@ class Document;
 // Asks the user for the mesh or the picture of heights of a collider, and returns its name as the
 // scene is to have it; empty when the question is cancelled.
 QString askShapeFile(QWidget* parent, const Document& document, ColliderShape shape);
+
+// The same for the picture on a fabric.
+QString askPictureFile(QWidget* parent, const Document& document);
 
 // How a scene in `folder` names a file. Without a folder the scene is not saved yet, and the name
 // stays as it is.

@@ -238,8 +238,10 @@ Field fileField(const FieldPlace& place)
     button->setAccessibleName(words("Choose a file"));
     QObject::connect(button, &QToolButton::clicked, button, [place, button] {
         const std::vector<ConstRef> refs = place.subject.refs();
-        const ColliderShape shape = std::get<const Collider*>(refs.front())->shape;
-        const QString file = askShapeFile(button->window(), place.subject.document(), shape);
+        const Document& document = place.subject.document();
+        const auto* collider = std::get_if<const Collider*>(&refs.front());
+        const QString file = collider ? askShapeFile(button->window(), document, (*collider)->shape)
+                                      : askPictureFile(button->window(), document);
         if (!file.isEmpty())
             place.subject.edit(place.property, setTo(file.toStdString()));
     });

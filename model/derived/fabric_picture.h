@@ -1,0 +1,60 @@
+// Where the picture of a material lies on the fabric.
+//
+// A picture has s from 0 at its left to 1 at its right and t from 0 at its foot to 1 at its top.
+// Laid over the mesh, its middle is where u and v are 1/2; where no particle of the fabric has u
+// and v, they go over the box around it. With a width in metres one picture is as wide on the
+// cloth, by how far u and v go there on average, and repeats. It is then moved and turned about its
+// middle. Views and exports ask here.
+#pragma once
+
+#include "scene/scene.h"
+#include "shapes/shape_files.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace ripstop {
+
+struct PictureSize
+{
+    int width; // pixels
+    int height;
+};
+
+// From the first bytes of a PNG or JPEG. The message names the file and what to do.
+Result<PictureSize> pictureSize(const std::filesystem::path& file);
+
+// What keeps the picture of a material from being printed, as a sentence, or nothing.
+std::optional<Message> pictureWarning(const Scene& scene, const Material& material);
+
+struct PrintedPoint
+{
+    std::uint32_t particle;    // id
+    std::array<double, 2> at; // s and t
+};
+
+// The particles of the panels that have the material, in ascending order, each with its place in
+// the picture. Nothing when the material has none, or none that can be printed.
+std::vector<PrintedPoint> printedPoints(const Scene& scene, Id material);
+
+// How a file is named in a scene that lies in another folder. An absolute path stays as it is, and
+// so does that of a file that is not there: it may be meant to come.
+std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,
+                         const std::string& file);
+
+// Each file that the scene names, for `visit` to see or to change: (name of the thing, file).
+template <typename AnyScene, typename Visit>
+void forEachFile(AnyScene& scene, Visit visit)
+{
+    for (auto& entry : scene.items) {
+        if (auto* collider = std::get_if<Collider>(&entry.item); collider && !collider->file.empty())
+            visit(collider->name, collider->file);
+        if (auto* material = std::get_if<Material>(&entry.item);
+            material && !material->picture.empty())
+            visit(material->name, material->picture);
+    }
+}
+
+} // namespace ripstop
