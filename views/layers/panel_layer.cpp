@@ -1,10 +1,10 @@
-// The constructor says how the surface lies in depth and what the cloth is. rebuild() turns the
-// panels of a new layout to face alike, selects those that are shown and not gone, and places the
-// cloth; update() finds the normals of the frame and paints, by cells for colours of materials and
-// loads of panels, by points for quantities that particles have.
+// The constructor says how the surface lies in depth. rebuild() turns the panels of a new layout to
+// face alike, lays the cloth, and selects those that are shown and not gone; update() finds points
+// and normals of the frame and paints, by cells for colours of materials and loads of panels, by
+// points for quantities that particles have.
 #include "layers/panel_layer.h"
 
-#include "look/ripstop_image.h"
+#include "layers/cloth_shader.h"
 
 #include <vtkRenderer.h>
 
@@ -18,44 +18,118 @@ PanelLayer::PanelLayer()
     m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 2.0);
     m_actor->SetMapper(m_mapper);
 
+    m_points->SetDataTypeToFloat();
     m_normals->SetNumberOfComponents(3);
-    m_places->SetNumberOfComponents(2);
-
-    m_cloth->SetInputData(ripstopImage());
-    m_cloth->RepeatOn();
-    m_cloth->MipmapOn();
-    m_cloth->InterpolateOn();
-
-    vtkProperty& property = *m_actor->GetProperty();
-    property.SetInterpolationToPhong();
-    property.SetSpecularPower(24.0);
+    m_onCloth->SetNumberOfComponents(4);
+    m_onCloth->SetName(clothPointArray);
+    m_mesh->SetPoints(m_points);
+    m_mesh->GetPointData()->SetNormals(m_normals);
+    m_mesh->GetPointData()->AddArray(m_onCloth);
+    addClothShader(*m_actor, *m_mapper);
 }
 
-void PanelLayer::addTo(vtkRenderer& renderer) { renderer.AddActor(m_actor); }
-
-// llvmpipe of Mesa 22 walks over every texel below a pixel, of which there is no end where a panel
-// is seen on edge: one picture could take minutes.
-void PanelLayer::setSoftware(bool isSoftware)
+void PanelLayer::addTo(vtkRenderer& renderer)
 {
-    constexpr float onCard = 8.0F;
-    m_cloth->SetMaximumAnisotropicFiltering(isSoftware ? 1.0F : onCard);
+    m_renderer = &renderer;
+    renderer.AddActor(m_actor);
+    m_bandDrawing.addTo(renderer);
+}
+
+void PanelLayer::setShown(bool shown)
+{
+    m_actor->SetVisibility(shown);
+    m_bandDrawing.setShown(shown);
+    m_isShown = shown;
+    for (const auto& print : m_prints)
+        print->actor().SetVisibility(shown);
 }
 
 void PanelLayer::rebuild(const Picture& picture)
 {
-    if (m_layout != picture.frame.layout) {
+    const bool otherLayout = m_layout != picture.frame.layout;
+    if (otherLayout) {
         m_layout = picture.frame.layout;
         m_panels = facingAlike(m_layout->panelCorners);
     }
+    if (otherLayout || m_cloth != picture.look.panelCloth)
+        layCloth(picture);
     selectPanels(picture);
-    placeTexture(picture);
+    takeBands(picture);
+    takePrints(picture);
+    takeLight(picture);
+}
 
-    // a quantity is read from its colour, so light may change that less
+// A quantity is read from its colour, which light would change.
+void PanelLayer::takeLight(const Picture& picture)
+{
     const bool isMaterial = picture.colorBy == ColorBy::Material;
-    vtkProperty& property = *m_actor->GetProperty();
-    property.SetAmbient(isMaterial ? 0.30 : 0.55);
-    property.SetDiffuse(isMaterial ? 0.75 : 0.48);
-    property.SetSpecular(isMaterial ? 0.12 : 0.0);
+    std::vector<vtkProperty*> properties{m_actor->GetProperty(), &m_bandDrawing.property()};
+    for (const auto& print : m_prints)
+        properties.push_back(print->actor().GetProperty());
+    for (vtkProperty* property : properties) {
+        property->SetInterpolationToPhong();
+        property->SetSpecularPower(24.0);
+        property->SetAmbient(isMaterial ? 0.0 : 1.0); // the shader has that of sky and ground
+        property->SetDiffuse(isMaterial ? 0.75 : 0.0);
+        property->SetSpecular(isMaterial ? 0.08 : 0.0);
+    }
+    showAs(*m_actor, isMaterial ? Shown::Cloth : Shown::Numbers);
+}
+
+void PanelLayer::takeBands(const Picture& picture)
+{
+    const Look& look = picture.look;
+    const SeenLook seen{look.panelColor, look.linkColor, look.linkForm, look.linkShown};
+    if (m_bands.panelColor.empty() || m_seen != seen)
+        m_bands = bandsOf(m_panels, m_onSheet, *m_layout, look);
+    m_seen = seen;
+    const bool isMaterial = picture.colorBy == ColorBy::Material;
+    m_bandDrawing.rebuild(isMaterial ? m_bands.pieces : std::vector<BandPiece>{}, m_vertices,
+                          m_present);
+}
+
+void PanelLayer::takePrints(const Picture& picture)
+{
+    const bool isMaterial = picture.colorBy == ColorBy::Material;
+    const std::size_t count = isMaterial ? picture.look.prints.size() : 0;
+    while (m_prints.size() < count) {
+        m_prints.push_back(std::make_unique<PrintedCloth>(*m_mesh));
+        m_renderer->AddActor(&m_prints.back()->actor());
+        m_prints.back()->actor().SetVisibility(m_isShown);
+    }
+    std::vector<std::vector<Corners>> corners(m_prints.size());
+    for (const int panel : m_drawn)
+        if (const int print = picture.look.panelPrint[panel]; print >= 0 && isMaterial)
+            corners[print].push_back(m_vertices.corners[panel]);
+    for (std::size_t i = 0; i < m_prints.size(); ++i)
+        m_prints[i]->rebuild(i < count ? picture.look.prints[i] : Look::Print{}, m_vertices,
+                             corners[i]);
+}
+
+// Panels that were turned are seen from their other side: their weft runs the other way.
+void PanelLayer::layCloth(const Picture& picture)
+{
+    m_bands = {};
+    m_cloth = picture.look.panelCloth;
+    m_onSheet.resize(m_panels.size());
+    for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        const Look::Cloth& cloth = m_cloth[i];
+        const bool isTurned = m_panels[i][1] != m_layout->panelCorners[i][1];
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const auto& [weft, warp] = cloth.place[isTurned ? (3 - corner) % 3 : corner];
+            m_onSheet[i][corner] = {isTurned ? -weft : weft, warp, cloth.through, cloth.grid};
+        }
+    }
+    laySideBySide(m_panels, m_onSheet);
+    m_vertices = clothVertices(m_panels, m_onSheet, m_layout->particleId.size());
+
+    const auto count = vtkIdType(m_vertices.point.size());
+    m_onCloth->SetNumberOfTuples(count);
+    std::ranges::copy(m_vertices.point, reinterpret_cast<ClothPoint*>(m_onCloth->GetPointer(0)));
+    m_onCloth->Modified();
+    m_points->SetNumberOfPoints(count);
+    m_normals->SetNumberOfTuples(count);
+    m_normal.resize(m_layout->particleId.size());
 }
 
 void PanelLayer::selectPanels(const Picture& picture)
@@ -68,38 +142,37 @@ void PanelLayer::selectPanels(const Picture& picture)
             continue;
         m_present[i] = 1;
         m_drawn.push_back(int(i));
-        corners.push_back(m_panels[i]);
+        corners.push_back(m_vertices.corners[i]);
     }
     m_mesh->SetPolys(cellsOf<3>(corners));
-}
-
-void PanelLayer::placeTexture(const Picture& picture)
-{
-    const auto& texture = picture.look.texture;
-    const bool textured = !texture.empty() && picture.colorBy == ColorBy::Material;
-    m_actor->SetTexture(textured ? m_cloth.Get() : nullptr);
-    m_mesh->GetPointData()->SetTCoords(textured ? m_places.Get() : nullptr);
-    if (!textured)
-        return;
-    m_places->SetNumberOfTuples(vtkIdType(texture.size()));
-    std::ranges::copy(texture, reinterpret_cast<std::array<float, 2>*>(m_places->GetPointer(0)));
-    m_places->Modified();
 }
 
 void PanelLayer::update(const Picture& picture)
 {
     if (m_drawn.empty())
         return;
-    const auto& position = picture.frame.position;
-    m_normals->SetNumberOfTuples(vtkIdType(position.size()));
-    smoothNormals(
-        m_panels, m_present, position,
-        {reinterpret_cast<std::array<float, 3>*>(m_normals->GetPointer(0)), position.size()});
-    m_normals->Modified();
-    m_mesh->GetPointData()->SetNormals(m_normals);
-    m_mesh->SetPoints(picture.points);
+    takePoints(picture);
     paint(picture);
     m_mesh->Modified();
+    for (const auto& print : m_prints)
+        print->moved();
+}
+
+void PanelLayer::takePoints(const Picture& picture)
+{
+    const auto& position = picture.frame.position;
+    smoothNormals(m_panels, m_present, position, m_normal);
+    auto* point = reinterpret_cast<std::array<float, 3>*>(m_points->GetVoidPointer(0));
+    auto* normal = reinterpret_cast<std::array<float, 3>*>(m_normals->GetPointer(0));
+    for (const int particle : m_vertices.particle) {
+        const Vec3& at = position[particle];
+        *point++ = {float(at.x()), float(at.y()), float(at.z())};
+        *normal++ = m_normal[particle];
+    }
+    m_points->Modified();
+    m_normals->Modified();
+    const std::size_t count = m_vertices.particle.size();
+    m_bandDrawing.update({point - count, count}, {normal - count, count});
 }
 
 void PanelLayer::paint(const Picture& picture)
@@ -108,13 +181,13 @@ void PanelLayer::paint(const Picture& picture)
         const std::span<Color> colors = m_colors.resized(m_drawn.size());
         for (std::size_t i = 0; i < m_drawn.size(); ++i)
             colors[i] = picture.values.panel.empty()
-                            ? picture.look.panelColor[m_drawn[i]]
+                            ? m_bands.panelColor[m_drawn[i]]
                             : picture.colorOf(picture.values.panel[m_drawn[i]]);
         colorByCells(*m_mesh, *m_mapper, m_colors);
     } else {
-        const std::span<Color> colors = m_colors.resized(picture.values.particle.size());
+        const std::span<Color> colors = m_colors.resized(m_vertices.particle.size());
         for (std::size_t i = 0; i < colors.size(); ++i)
-            colors[i] = picture.colorOf(picture.values.particle[i]);
+            colors[i] = picture.colorOf(picture.values.particle[m_vertices.particle[i]]);
         colorByPoints(*m_mesh, *m_mapper, m_colors);
     }
 }

@@ -39,6 +39,7 @@ struct Picture
 
     Eigen::AlignedBox3d bounds; // m, of what is shown, without the ground
     double pixelRatio = 1.0;    // device pixels per pixel
+    bool isMeshShown = false;   // the links that stand for fabric, on fabric
 
     const Layout& layout() const { return *frame.layout; }
     Color colorOf(double value) const { return colors.at(value, range); }

@@ -3,6 +3,9 @@
 // ways. A walk from panel to panel through these neighbours then decides for each panel whether it
 // is turned, beginning anew in each connected piece.
 //
+// laySideBySide() walks likewise, outwards from the first panel of each piece. clothVertices()
+// keeps for each particle a list of the vertices that it has so far.
+//
 // smoothNormals(): adds the normal of each panel, twice its area long, to its corners, and makes
 // the sums unit.
 #include "look/fabric.h"
@@ -93,6 +96,103 @@ std::vector<Corners> facingAlike(std::span<const Corners> panels)
     for (std::size_t p = 0; p < panels.size(); ++p)
         if (turned[p])
             std::swap(result[p][1], result[p][2]);
+    return result;
+}
+
+namespace {
+
+// The corner of the panel that this particle is at; 0 when it is at none.
+std::size_t cornerOf(const Corners& panel, int particle)
+{
+    return std::size_t(std::ranges::find(panel, particle) - panel.begin()) % 3;
+}
+
+// Shifts `next` to where `laid` has the side that both share.
+void layBeside(const Corners& panel, const std::array<ClothPoint, 3>& laid,
+               const Corners& nextPanel, std::array<ClothPoint, 3>& next)
+{
+    std::array<std::size_t, 2> here{}, there{};
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < 3 && shared < 2; ++i)
+        if (std::ranges::find(nextPanel, panel[i]) != nextPanel.end()) {
+            here[shared] = i;
+            there[shared++] = cornerOf(nextPanel, panel[i]);
+        }
+    if (shared < 2)
+        return;
+    double along = 0.0;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        along += double(laid[here[1]][axis] - laid[here[0]][axis])
+                 * double(next[there[1]][axis] - next[there[0]][axis]);
+    const float sense = along < 0.0 ? -1.0F : 1.0F;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const float middle = 0.5F * (laid[here[0]][axis] + laid[here[1]][axis]);
+        const float from = 0.5F * sense * (next[there[0]][axis] + next[there[1]][axis]);
+        for (ClothPoint& point : next)
+            point[axis] = sense * point[axis] + (middle - from);
+    }
+}
+
+} // namespace
+
+void laySideBySide(std::span<const Corners> panels, std::span<std::array<ClothPoint, 3>> points)
+{
+    const auto neighbours = neighboursOf(panels);
+    std::vector<std::uint8_t> seen(panels.size(), 0);
+    std::vector<int> queue;
+    for (int seed = 0; seed < int(panels.size()); ++seed) {
+        if (seen[seed])
+            continue;
+        seen[seed] = 1;
+        queue.assign(1, seed);
+        for (std::size_t at = 0; at < queue.size(); ++at) // outwards, ring by ring
+            for (const Neighbour& next : neighbours[queue[at]]) {
+                if (seen[next.panel])
+                    continue;
+                seen[next.panel] = 1;
+                layBeside(panels[queue[at]], points[queue[at]], panels[next.panel],
+                          points[next.panel]);
+                queue.push_back(next.panel);
+            }
+    }
+}
+
+namespace {
+
+bool isSame(const ClothPoint& a, const ClothPoint& b)
+{
+    constexpr float near = 5e-4F; // m; a tenth of a thread of the grid
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (std::abs(a[i] - b[i]) > near)
+            return false;
+    return true;
+}
+
+} // namespace
+
+ClothVertices clothVertices(std::span<const Corners> panels,
+                            std::span<const std::array<ClothPoint, 3>> points,
+                            std::size_t particles)
+{
+    ClothVertices result;
+    result.corners.resize(panels.size());
+    std::vector<int> first(particles, -1), next;
+    for (std::size_t p = 0; p < panels.size(); ++p)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int particle = panels[p][i];
+            const ClothPoint& point = points[p][i];
+            int vertex = first[particle];
+            while (vertex >= 0 && !isSame(result.point[vertex], point))
+                vertex = next[vertex];
+            if (vertex < 0) {
+                vertex = int(result.particle.size());
+                result.particle.push_back(particle);
+                result.point.push_back(point);
+                next.push_back(first[particle]);
+                first[particle] = vertex;
+            }
+            result.corners[p][i] = vertex;
+        }
     return result;
 }
 

@@ -33,10 +33,28 @@ struct Look
         double turn = 0.0;              // degrees, -90 to 90, from the way that the print goes up
     };
 
+    struct Cloth // what of it is seen
+    {
+        // Of the three corners at rest: m along the weft and along the warp, from the first.
+        std::array<std::array<float, 2>, 3> place{};
+        float through = 0.0F; // 1, of the light that falls on its other side
+        float grid = 0.0F;    // m between the threads of a ripstop; 0 for a plain weave
+        bool isBuilt = false; // by a builder, whose borders are meant to be straight
+
+        friend bool operator==(const Cloth&, const Cloth&) = default;
+    };
+    enum class Form : std::uint8_t { // what a link is seen as
+        Wire,                        // of the mesh
+        Round,                       // a line or a spar
+        Sewn                         // a seam or a hem, where it lies on a side of a panel
+    };
+
     std::vector<std::uint8_t> particleShown;  // [particles]
     std::vector<std::uint8_t> isWeight;       // [particles] free, and heavy for its part
     std::vector<std::uint8_t> linkShown;      // [links]
     std::vector<Color> linkColor;             // [links]
+    std::vector<Form> linkForm;               // [links]
+    std::vector<double> linkThickness;        // [links] m, of what is round; 0 where unknown
     std::vector<TearLimit> linkTear;          // [links]
     std::vector<double> linkWidth;            // [links] m, of the strip of fabric; 0 for none
     std::vector<std::uint8_t> panelShown;     // [panels]
@@ -45,9 +63,17 @@ struct Look
     std::vector<PaintedFactors> linkPainted;  // [links]
     std::vector<PaintedFactors> panelPainted; // [panels]
     std::vector<Warp> panelWarp;              // [panels]
+    std::vector<Cloth> panelCloth;            // [panels]
 
-    // [particles] places on the cloth, 1; empty when no particle has one.
-    std::vector<std::array<float, 2>> texture;
+    struct Print // a picture on fabric
+    {
+        std::string file; // where it is
+        Color ground{};   // below it, where it lets through
+        std::vector<std::array<float, 2>>
+            at; // [particles] in the picture, derived/fabric_picture.h
+    };
+    std::vector<Print> prints;
+    std::vector<int> panelPrint; // [panels] index into prints; -1 for plain cloth
 };
 
 // Elements of the layout that are no longer in the scene are not shown.

@@ -199,6 +199,12 @@ void Stage::setGrainShown(bool shown)
     m_layersAreOld = true;
 }
 
+void Stage::setMeshShown(bool shown)
+{
+    m_meshShown = shown;
+    m_layersAreOld = true;
+}
+
 void Stage::setDesignShown(bool shown)
 {
     m_designShown = shown;
@@ -382,9 +388,9 @@ void Stage::prepare(const Scene& scene)
     m_values = valuesOf(*m_frame, m_colorBy, m_look);
     takeRange();
 
-    const Picture picture{scene,      *m_frame, m_look,   m_theme,  m_points,
-                          m_selected, m_bodies, m_people, m_limbs,  m_colorBy,
-                          m_values,   colors(), range(),  m_bounds, m_pixelRatio};
+    const Picture picture{scene,    *m_frame, m_look,       m_theme,    m_points, m_selected,
+                          m_bodies, m_people, m_limbs,      m_colorBy,  m_values, colors(),
+                          range(),  m_bounds, m_pixelRatio, m_meshShown};
     for (Layer* layer : layers()) {
         const bool shows = layer == &m_highlight || layer == &m_colliders // what is selected
                            || layer == &trails;

@@ -65,6 +65,7 @@ public:
     void setMotionReduced(bool reduced); // without them, whatever was chosen
     void setVectors(Vectors vectors);
     void setGrainShown(bool shown);
+    void setMeshShown(bool shown); // links that stand for fabric; off at first
 
     PanelLayer panels;
     LinkLayer links;
@@ -125,6 +126,7 @@ private:
     GhostLayer m_designGhost{GhostLayer::Of::Design};
     std::shared_ptr<const Frame> m_design; // null until it is made for showing
     bool m_designShown = false;
+    bool m_meshShown = false;
 
     std::shared_ptr<const Frame> m_frame; // keeps the coordinates alive
     std::shared_ptr<const Frame> m_drawn; // what the layers show

@@ -81,7 +81,6 @@ bool Viewport::Private::sceneChanged(const Edit& edit)
 
 void Viewport::Private::prepare()
 {
-    stage.panels.setSoftware(screen.isSoftware());
     stage.setPixelRatio(shotRatio.value_or(screen.devicePixelRatioF()));
     stage.prepare(document.scene());
     compass.setWind(stage.frame() ? stage.frame()->wind : Vec3::Zero());

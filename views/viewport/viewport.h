@@ -76,6 +76,7 @@ public:
     void setDesignShown(bool shown);     // as a ghost; off at first
     void setTrailsShown(bool shown);     // of selected or probed particles; off at first
     void setGrainShown(bool shown);      // of panels that carry a pull, as strokes; off at first
+    void setMeshShown(bool shown);       // links that stand for fabric, on it; off at first
     void setProbesShown(bool shown);     // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.

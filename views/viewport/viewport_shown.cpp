@@ -53,6 +53,11 @@ void Viewport::setGrainShown(bool shown)
     d->draw([&] { d->stage.setGrainShown(shown); });
 }
 
+void Viewport::setMeshShown(bool shown)
+{
+    d->draw([&] { d->stage.setMeshShown(shown); });
+}
+
 void Viewport::setProbesShown(bool shown)
 {
     d->draw([&] { d->labels.setWanted(shown); });

@@ -1,0 +1,52 @@
+// The bands of the fabric (look/bands.h), drawn by the panel layer on top of the panels.
+//
+// It has vertices of its own, each a mixture of those of one panel, and the same cloth as they.
+#pragma once
+
+#include "layers/vtk_data.h"
+#include "look/bands.h"
+
+#include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkPoints.h>
+
+class vtkRenderer;
+
+namespace ripstop {
+
+class BandDrawing
+{
+public:
+    BandDrawing();
+
+    void addTo(vtkRenderer& renderer);
+    void setShown(bool shown);
+    vtkProperty& property() { return *m_actor->GetProperty(); }
+
+    // The pieces on panels that are there. For numbers there are none, as bands have none.
+    //     present  [panels]
+    void rebuild(const std::vector<BandPiece>& pieces, const ClothVertices& vertices,
+                 std::span<const std::uint8_t> present);
+
+    // Points and normals of the panels' vertices, as they are now.
+    void update(std::span<const std::array<float, 3>> points,
+                std::span<const std::array<float, 3>> normals);
+
+private:
+    struct Mixture
+    {
+        Corners vertices; // of the panel
+        std::array<float, 3> shares;
+    };
+
+    std::vector<Mixture> m_mixtures; // [vertices] here
+    ColorArray m_colors;
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkFloatArray> m_normals;
+    vtkNew<vtkFloatArray> m_onCloth;
+    vtkNew<vtkPolyData> m_mesh;
+    vtkNew<vtkPolyDataMapper> m_mapper;
+    vtkNew<vtkActor> m_actor;
+};
+
+} // namespace ripstop
