@@ -180,8 +180,8 @@ std::vector<PrintedPoint> printedPoints(const Scene& scene, Id id)
             const Eigen::Vector2d away(off.x() * metres.u - moved.x() * width,
                                        off.y() * metres.v - moved.y() * height);
             const Eigen::Vector2d place = back * away; // m, from the middle of the picture
-            points.push_back({std::uint32_t(particle),
-                              {place.x() / width + 0.5, place.y() / height + 0.5}});
+            points.push_back(
+                {std::uint32_t(particle), {place.x() / width + 0.5, place.y() / height + 0.5}});
         }
     });
     std::ranges::sort(points, {}, &PrintedPoint::particle);

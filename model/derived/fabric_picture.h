@@ -31,7 +31,7 @@ std::optional<Message> pictureWarning(const Scene& scene, const Material& materi
 
 struct PrintedPoint
 {
-    std::uint32_t particle;    // id
+    std::uint32_t particle;   // id
     std::array<double, 2> at; // s and t
 };
 
@@ -49,7 +49,8 @@ template <typename AnyScene, typename Visit>
 void forEachFile(AnyScene& scene, Visit visit)
 {
     for (auto& entry : scene.items) {
-        if (auto* collider = std::get_if<Collider>(&entry.item); collider && !collider->file.empty())
+        if (auto* collider = std::get_if<Collider>(&entry.item);
+            collider && !collider->file.empty())
             visit(collider->name, collider->file);
         if (auto* material = std::get_if<Material>(&entry.item);
             material && !material->picture.empty())

@@ -3,6 +3,7 @@
 #include "derived/fabric_picture.h"
 #include "registered_test.h"
 
+#include "bundle/bundle.h"
 #include "check/check.h"
 #include "compile/compile.h"
 #include "export/export_run.h"
@@ -20,9 +21,11 @@ namespace ripstop::test_fabric_picture {
 namespace {
 
 // The start of a PNG of 30 by 20 pixels, and a JPEG of the same with a segment before its frame.
-const QByteArray png = QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000001e000000140802000000");
+const QByteArray png =
+    QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000001e000000140802000000");
 const QByteArray jpeg = QByteArray::fromHex("ffd8ffe000104a46494600010100000100010000"
-                                            "ffc0001108001400" "1e03012200021101031101");
+                                            "ffc0001108001400"
+                                            "1e03012200021101031101");
 
 QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& bytes)
 {
@@ -84,7 +87,8 @@ private slots:
             QCOMPARE(size->width, 30);
             QCOMPARE(size->height, 20);
         }
-        QVERIFY(!pictureSize(written(folder, "a.txt", "no picture at all, but long").toStdString()));
+        QVERIFY(
+            !pictureSize(written(folder, "a.txt", "no picture at all, but long").toStdString()));
         QVERIFY(!pictureSize(folder.filePath("none.png").toStdString()));
     }
 
@@ -151,6 +155,23 @@ private slots:
         QVERIFY(content(file).contains("\"picture\": \"../a.png\""));
     }
 
+    // Also the one that is not there: it stops neither the flight nor the bundle.
+    void bundlesHoldThePicture()
+    {
+        const QTemporaryDir folder;
+        written(folder, "a.png", png);
+        for (const bool isThere : {true, false}) {
+            Scene scene = sheet(isThere ? "a.png" : "b.png");
+            scene.folder.path = folder.path().toStdString();
+            const QString target = folder.filePath(isThere ? "with" : "without");
+            const auto done = writeBundle(scene, {.seconds = 0.01}, target.toStdString());
+            QVERIFY2(!done.failure, done.failure ? done.failure->message.english().c_str() : "");
+            QCOMPARE(content(target + "/files/1_a.png"), isThere ? png : QByteArray());
+            const auto bundled = content(target + "/scene.ripstop.json");
+            QVERIFY(bundled.contains(isThere ? "\"picture\": \"files/1_a.png\"" : "b.png\""));
+        }
+    }
+
     void exportsHaveThePicture()
     {
         const QTemporaryDir folder;
@@ -172,8 +193,7 @@ private slots:
         QVERIFY(!writeMoment(*frame, appearance, glb.toStdString()));
         const QByteArray bytes = content(glb);
         const auto length = qFromLittleEndian<quint32>(bytes.constData() + 12);
-        const QJsonObject json =
-            QJsonDocument::fromJson(bytes.mid(20, qsizetype(length))).object();
+        const QJsonObject json = QJsonDocument::fromJson(bytes.mid(20, qsizetype(length))).object();
         const QJsonObject image = json["images"].toArray()[0].toObject();
         QCOMPARE(image["mimeType"].toString(), QString("image/png"));
         const QJsonObject view =
@@ -182,7 +202,8 @@ private slots:
         QCOMPARE(bytes.mid(start, view["byteLength"].toInt()), png);
         bool isUsed = false;
         for (const auto& material : json["materials"].toArray())
-            isUsed |= material.toObject()["pbrMetallicRoughness"].toObject()["baseColorTexture"]
+            isUsed |= material.toObject()["pbrMetallicRoughness"]
+                          .toObject()["baseColorTexture"]
                           .isObject();
         QVERIFY(isUsed);
     }

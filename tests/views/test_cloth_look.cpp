@@ -60,12 +60,17 @@ struct View
         viewport.setWindShown(false);
         viewport.view(PresetView::Front);
     }
-    bool isReady() { return QTest::qWaitForWindowExposed(&viewport) && QTest::qWaitFor([this] { return bool(player.frame()); }); }
+    bool isReady()
+    {
+        return QTest::qWaitForWindowExposed(&viewport)
+               && QTest::qWaitFor([this] { return bool(player.frame()); });
+    }
 
     QColor at(const Vec3& place) // of the scene
     {
         const QImage image = viewport.image(Viewport::Overlays::Without);
-        const Eigen::Vector4d seen = viewport.camera().projection(400.0 / 300.0) * place.homogeneous();
+        const Eigen::Vector4d seen =
+            viewport.camera().projection(400.0 / 300.0) * place.homogeneous();
         return image.pixelColor(int((0.5 + 0.5 * seen.x() / seen.w()) * image.width()),
                                 int((0.5 - 0.5 * seen.y() / seen.w()) * image.height()));
     }

@@ -81,8 +81,8 @@ TubeSet::TubeSet()
     m_mapper->SetResolveCoincidentTopologyToPolygonOffset();
     m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -2.0);
     for (const char* name : {"thisEnd", "otherEnd", "sideAndRadius"})
-        m_mapper->MapDataArrayToVertexAttribute(name, name,
-                                                vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+        m_mapper->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+                                                -1);
     m_actor->SetMapper(m_mapper);
     m_actor->GetProperty()->LightingOff();
     constexpr bool beforeVtk = true, once = false;
@@ -144,8 +144,8 @@ void TubeSet::update(std::span<const Vec3> position)
     auto* other = reinterpret_cast<std::array<float, 3>*>(m_others->GetPointer(0));
     for (const Tube& tube : m_tubes) {
         const auto a = single(position[tube.a]), b = single(position[tube.b]);
-        for (const auto& [here, there] : {std::pair(a, b), std::pair(a, b), std::pair(b, a),
-                                          std::pair(b, a)}) {
+        for (const auto& [here, there] :
+             {std::pair(a, b), std::pair(a, b), std::pair(b, a), std::pair(b, a)}) {
             *end++ = here;
             *other++ = there;
         }
@@ -158,7 +158,7 @@ void TubeSet::update(std::span<const Vec3> position)
 void TubeSet::setShaded(bool shaded)
 {
     m_actor->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("shading",
-                                                                          shaded ? 1.0F : 0.0F);
+                                                                           shaded ? 1.0F : 0.0F);
 }
 
 void TubeSet::setColor(const QColor& color)

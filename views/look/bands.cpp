@@ -62,7 +62,10 @@ public:
         const auto both = at(side);
         return both.size() == 2 ? both[both[0].second == panel ? 1 : 0].second : -1;
     }
-    double length(int panel, int a, int b) const { return std::hypot(way(panel, a, b)[0], way(panel, a, b)[1]); }
+    double length(int panel, int a, int b) const
+    {
+        return std::hypot(way(panel, a, b)[0], way(panel, a, b)[1]);
+    }
     double angle(int panel, int at, int a, int b) const // rad
     {
         const auto u = way(panel, at, a), v = way(panel, at, b);

@@ -17,10 +17,10 @@ namespace ripstop {
 // A convex piece of a panel.
 struct BandPiece
 {
-    int panel;                                  // index
+    int panel; // index
     Color color;
-    bool isSewn;                                // of several layers of cloth
-    std::vector<std::array<float, 3>> corners;  // shares of the corners of the panel, 1
+    bool isSewn;                               // of several layers of cloth
+    std::vector<std::array<float, 3>> corners; // shares of the corners of the panel, 1
 };
 
 struct Bands
