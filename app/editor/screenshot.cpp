@@ -78,6 +78,7 @@ void Screenshot::save()
                    .arg(m_picture, 4, 10, QChar('0'));
     m_window.viewport().fit(m_fitted); // each time, because what flies leaves the first picture
     m_window.repaint();
+    m_window.viewport().image(); // finely; what moves is drawn quickly
     if (!(m_options.viewOnly ? writeView(file) : m_window.grab().save(file))) {
         std::fprintf(stderr,
                      "%s: cannot be written; choose a folder that you may write to and the ending "
@@ -124,6 +125,7 @@ void Screenshot::saveWithDialog()
     if (++m_settling < dialogTurns)
         return;
     m_window.repaint();
+    m_window.viewport().image(); // finely; what moves is drawn quickly
     QPixmap picture = m_window.grab();
     QPainter painter(&picture);
     painter.drawPixmap(dialog->mapToGlobal(QPoint()) - m_window.mapToGlobal(QPoint()),
