@@ -238,7 +238,7 @@ private slots:
     {
         Scene scene = *build(*findBuilder("cloth"),
                              {{"columns", 60.0}, {"rows", 60.0}, {"sphere", 0.0}, {"hang", 3.0}});
-        scene.settings.gravity = {};
+        scene.settings.gravity = Vec3::Zero();
         const auto recording = flown(scene, 100);
         recording->settle();
         const std::string bytes = *recording->chunkBytes(0);
