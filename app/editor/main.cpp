@@ -2,11 +2,12 @@
 // window together.
 //
 // Stages: questions such as --help are answered without a window; then the surface format is set,
-// which VTK needs before the application exists; then language, arguments and theme; then the
-// scene and what is to be selected, where a mistake ends the program with a sentence and exit code
-// 1 or 2 before a window appears. Document, selection, player and window stand on the stack in
-// this order, so that the window goes first. What asks questions of its own (kept work, a mesh, an
-// action) is queued until the event loop runs.
+// which VTK needs before the application exists; then language, arguments and theme; then whether
+// there is a display with OpenGL; then the scene and what is to be selected. A mistake ends the
+// program with a sentence and an exit code of docs/command-line.md before a window appears.
+// Document, selection, player and window stand on the stack in this order, so that the window goes
+// first. What asks questions of its own (kept work, a mesh, an action) is queued until the event
+// loop runs.
 #include "base/program_version.h"
 #include "document/document.h"
 #include "document/measurement.h"
@@ -14,6 +15,7 @@
 #include "document/rescue.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "editor/display_check.h"
 #include "editor/end_signals.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
@@ -35,6 +37,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -113,7 +116,9 @@ int main(int argc, char** argv)
     format.setDepthBufferSize(24);
     QSurfaceFormat::setDefaultFormat(format);
 
+    auto check = std::make_optional<DisplayCheck>();
     QApplication application(argc, argv);
+    check.reset();
     QApplication::setWindowIcon(applicationIcon());
     Translation translation(keptLanguage());
 
@@ -123,6 +128,12 @@ int main(int argc, char** argv)
     applyThemeChoice(application, options->appearance.value_or(keptThemeChoice()));
     if (options->language)
         translation.install(*options->language);
+    const bool stays = options->screenshot.isEmpty();
+    if (const QString lack = lackOfOpenGl(); !lack.isEmpty()) {
+        if (stays)
+            showLack(lack);
+        return refuse(lack, noDisplay);
+    }
 
     Document document;
     const bool isStudy = StudyPanel::isStudy(options->scene);
@@ -137,7 +148,6 @@ int main(int argc, char** argv)
         return refuse(QString::fromStdString(selected.message().english()), 1);
     Selection selection(document);
     Player player(document);
-    const bool stays = options->screenshot.isEmpty();
     WindowHost host(document, selection, player,
                     stays ? MainWindow::Memory::Keep : MainWindow::Memory::Ignore, translation);
     MainWindow& window = host.window(); // as long as no event is handled

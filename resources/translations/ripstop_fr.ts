@@ -1404,6 +1404,21 @@
         <translation>Les deux n’ont aucune particule en commun : elles sont d’autres modèles.</translation>
     </message>
     <message>
+        <location filename="display_check.cpp"/>
+        <source>Ripstop cannot open its window: %1</source>
+        <translation>Ripstop ne peut pas ouvrir sa fenêtre : %1</translation>
+    </message>
+    <message>
+        <location filename="display_check.cpp"/>
+        <source>Start it on a desktop, or as "xvfb-run -a ripstop" where there is none; with LIBGL_ALWAYS_SOFTWARE=1 it draws without a graphics card. ripstop-cli needs no window.</source>
+        <translation>Lancez-le sur un bureau, ou par « xvfb-run -a ripstop » là où il n'y en a pas ; avec LIBGL_ALWAYS_SOFTWARE=1, il dessine sans carte graphique. ripstop-cli n'a pas besoin de fenêtre.</translation>
+    </message>
+    <message>
+        <location filename="display_check.cpp"/>
+        <source>the platform "%1" has no OpenGL %2.%3, which the view in three dimensions needs. %4</source>
+        <translation>la plateforme « %1 » n'a pas OpenGL %2.%3, dont la vue en trois dimensions a besoin. %4</translation>
+    </message>
+    <message>
         <location filename="dock_table.cpp"/>
         <source>Click a step to go back to it, or forward again.</source>
         <translation>Cliquer une étape pour y revenir, ou y retourner.</translation>

@@ -49,20 +49,24 @@ struct Finished
     QString error;
 };
 
-Finished run(const QString& program, const QStringList& arguments, bool display = true)
+Finished run(const QString& program, const QStringList& arguments,
+             const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment())
 {
     QProcess process;
-    if (!display) {
-        QProcessEnvironment without = QProcessEnvironment::systemEnvironment();
-        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-            without.remove(name);
-        process.setProcessEnvironment(without);
-    }
+    process.setProcessEnvironment(environment);
     process.start(program, arguments);
     if (!process.waitForFinished(120000))
         return {};
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
             QString::fromUtf8(process.readAllStandardError())};
+}
+
+QProcessEnvironment withoutDisplay()
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        environment.remove(name);
+    return environment;
 }
 
 // A window as a user has it, but without a remembered layout.
@@ -269,12 +273,57 @@ private slots:
 
     void helpsWithoutADisplay()
     {
-        const Finished help = run(EDITOR_PROGRAM, {"--help"}, false);
+        const Finished help = run(EDITOR_PROGRAM, {"--help"}, withoutDisplay());
         QCOMPARE(help.exitCode, 0);
         QVERIFY(help.output.contains("--screenshot"));
-        const Finished version = run(EDITOR_PROGRAM, {"--version"}, false);
+        const Finished version = run(EDITOR_PROGRAM, {"--version"}, withoutDisplay());
         QCOMPARE(version.exitCode, 0);
         QVERIFY(version.output.startsWith("Ripstop "));
+    }
+
+    void saysThatThereIsNoOpenGl_data()
+    {
+        QTest::addColumn<QString>("platform"); // of Qt; empty for its own choice
+        QTest::addColumn<bool>("display");
+        QTest::addColumn<QStringList>("variables");
+        QTest::addColumn<QString>("reason");
+        const QStringList none;
+        QTest::newRow("no display") << "" << false << none << "no display for the window: could";
+        QTest::newRow("no such platform")
+            << "attic" << false << none << "Could not find the Qt platform plugin \"attic\"";
+        QTest::newRow("off screen") << "offscreen" << false << none << "\"offscreen\" has no";
+        QTest::newRow("off screen beside a display")
+            << "offscreen" << true << none << "\"offscreen\" has no OpenGL 3.2";
+        QTest::newRow("a display without OpenGL")
+            << "xcb" << true << QStringList{"QT_XCB_GL_INTEGRATION=none"} << "\"xcb\" has no";
+        QTest::newRow("an old OpenGL")
+            << "xcb" << true << QStringList{"MESA_GL_VERSION_OVERRIDE=2.1"} << "\"xcb\" has no";
+    }
+
+    // One sentence in place of a core dump: what is missing and what one can do.
+    void saysThatThereIsNoOpenGl()
+    {
+        QFETCH(QString, platform);
+        QFETCH(bool, display);
+        QFETCH(QStringList, variables);
+        QFETCH(QString, reason);
+        QProcessEnvironment environment =
+            display ? QProcessEnvironment::systemEnvironment() : withoutDisplay();
+        if (display && environment.value("DISPLAY").isEmpty())
+            return; // somebody tests on Wayland alone
+        if (!platform.isEmpty())
+            environment.insert("QT_QPA_PLATFORM", platform);
+        for (const QString& one : variables)
+            environment.insert(one.section('=', 0, 0), one.section('=', 1));
+        const QTemporaryDir folder;
+        const QString picture = folder.filePath("rope.png");
+        const Finished done = run(
+            EDITOR_PROGRAM, {samples + "rope.ripstop.json", "--screenshot", picture}, environment);
+        QCOMPARE(done.exitCode, 8);
+        QVERIFY2(done.error.contains(reason), qPrintable(done.error));
+        QVERIFY2(done.error.contains("xvfb-run"), qPrintable(done.error));
+        QCOMPARE(done.error.count('\n'), 1);
+        QVERIFY(!QFile::exists(picture));
     }
 
     void refusesWhatItCannotDo_data()
