@@ -6,6 +6,7 @@
 #include "docks/docks.h"
 
 #include "inspector/inspector.h"
+#include "loads/load_panel.h"
 #include "plots/plot_panel.h"
 #include "study/study_panel.h"
 
@@ -106,6 +107,12 @@ void Docks::takeOver(const Docks& before)
     panel<PlotPanel>().takeOver(before.panel<PlotPanel>());
     panel<StudyPanel>().takeOver(before.panel<StudyPanel>());
     panel<Inspector>().sliders().takeOver(before.panel<Inspector>().sliders());
+}
+
+void Docks::catchUp() const
+{
+    panel<PlotPanel>().catchUp();
+    panel<LoadPanel>().catchUp();
 }
 
 void Docks::hideAll() const

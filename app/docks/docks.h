@@ -48,6 +48,9 @@ public:
     // Their panels go on with what those of another window hold, which is about to go.
     void takeOver(const Docks& before);
 
+    // Panels that show a run with some delay, to spare time, show its newest frame at once.
+    void catchUp() const;
+
     void hideAll() const;
     void noteClosed();         // remembers those that are hidden now as closed by the user
     void showOpen() const;     // shows all but those that the user has closed

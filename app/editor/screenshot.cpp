@@ -77,6 +77,7 @@ void Screenshot::save()
         file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))
                    .arg(m_picture, 4, 10, QChar('0'));
     m_window.viewport().fit(m_fitted); // each time, because what flies leaves the first picture
+    m_window.docks().catchUp(); // or their numbers would be older than the moment that is printed
     m_window.repaint();
     m_window.viewport().image(); // finely; what moves is drawn quickly
     if (!(m_options.viewOnly ? writeView(file) : m_window.grab().save(file))) {

@@ -2,15 +2,19 @@
 // it is there.
 //
 // Stages: rows against docks, toggles, tabs and ids; then docks that the user closed, and those
-// that come forward when a scene is opened; and the stops of the tour.
+// that come forward when a scene is opened; the stops of the tour; and panels that catch up with
+// the run for a picture.
 #include "app/window_shop.h"
 #include "docks/dock_table.h"
+#include "document/spoken.h"
 #include "editor/tour.h"
+#include "plots/plot_panel.h"
 
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTabBar>
+#include <QTreeWidget>
 #include <QtTest>
 
 namespace ripstop::test_docks {
@@ -46,6 +50,28 @@ struct OpenWindow : WindowShop
 
 // Whether it is the one in front of docks that lie behind each other.
 bool isInFront(const QDockWidget& dock) { return !dock.visibleRegion().isEmpty(); }
+
+// Numbers of the list of probes, as it shows them.
+QStringList shownBy(const PlotPanel& panel)
+{
+    const QTreeWidget& list = *panel.findChild<QTreeWidget*>();
+    QStringList numbers;
+    for (int i = 0; i < list.topLevelItemCount(); ++i)
+        numbers << list.topLevelItem(i)->text(1);
+    return numbers;
+}
+
+// And as a frame has them.
+QStringList readIn(const Frame& frame, const Scene& scene)
+{
+    QStringList numbers;
+    for (std::size_t i = 0; i < frame.probe.size(); ++i) {
+        const Layout::Probe& probe = frame.layout->probes[i];
+        const auto* item = findItem<Probe>(scene, Id{probe.id});
+        numbers << readingText(item->quantity, frame.probe[i], probe.unit);
+    }
+    return numbers;
+}
 
 bool has(const QMenu& menu, const QAction* wanted)
 {
@@ -168,6 +194,30 @@ private slots:
             QTest::qWait(1); // it deletes itself
         }
         QCOMPARE(stops, 3 + int(told));
+    }
+
+    // Plots are drawn a moment after a frame, so that drawing leaves time for the rest; a picture
+    // of the window would have shown numbers of an instant before the one that is printed with it.
+    void numbersOfAPictureAreOfItsMoment()
+    {
+        OpenWindow shop;
+        const Docks& docks = shop.window.docks();
+        const PlotPanel& plots = docks.panel<PlotPanel>();
+        QTRY_VERIFY(shop.player.frame());
+        QTRY_COMPARE(shownBy(plots), readIn(*shop.player.frame(), shop.document.scene()));
+        QStringList late, atOnce, meant;
+        connect(&shop.player, &Player::frameReady, &shop.window, [&](const auto& frame) {
+            if (shop.player.isPlaying()) // has not arrived
+                return;
+            late = shownBy(plots);
+            docks.catchUp();
+            atOnce = shownBy(plots);
+            meant = readIn(*frame, shop.document.scene());
+        });
+        shop.player.playUntil(0.5);
+        QTRY_VERIFY(!meant.isEmpty());
+        QCOMPARE(atOnce, meant);
+        QVERIFY(late != meant); // or nothing has been shown
     }
 };
 

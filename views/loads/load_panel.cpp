@@ -134,6 +134,14 @@ void LoadPanel::choose(quint32 element)
     emit chosen(element);
 }
 
+void LoadPanel::catchUp()
+{
+    if (!m_delay.isActive())
+        return;
+    m_delay.stop();
+    refresh();
+}
+
 void LoadPanel::refresh()
 {
     const Frame* frame = m_player.frame().get();

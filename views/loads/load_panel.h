@@ -35,6 +35,9 @@ public:
     const LoadList& ofRun() const { return *m_ofRun; }
     QString said() const; // instead of the lists; empty where these are shown
 
+    // Shows what it has put off, so that a picture of the window shows one moment.
+    void catchUp();
+
 signals:
     void chosen(quint32 element); // that the view is to show in its middle
 

@@ -329,6 +329,14 @@ void PlotPanel::drawSoon()
     m_redraw.start(int(std::clamp(shareOfTime * drawing, quickest, slowest)));
 }
 
+void PlotPanel::catchUp()
+{
+    if (!m_redraw.isActive())
+        return;
+    m_redraw.stop();
+    draw();
+}
+
 void PlotPanel::draw()
 {
     m_bands.match(shownHistory());

@@ -60,6 +60,9 @@ public:
     // Of the samples that are drawn; as of the latest drawing.
     const ErrorBands& errorBands() const { return m_bands; }
 
+    // Draws what it has put off, so that a picture of the window shows one moment.
+    void catchUp();
+
     // --- panels ---
     int viewCount() const { return int(m_views.size()); }
     PlotView& view(int number) { return *m_views[std::size_t(number)]; }
