@@ -4,6 +4,7 @@
 
 #include "document/document.h"
 #include "document/selection.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "icons/icon.h"
 #include "select/elements.h"
@@ -135,11 +136,12 @@ void MapDialog::look()
     m_ok->setEnabled(bool(made));
     if (!made)
         return m_verdict->setText(translated(made.message()));
-    const Kind kind = std::get<SetValues>(made->edit.changes.front()).property->kind;
+    const Property& property = *std::get<SetValues>(made->edit.changes.front()).property;
     //: how many elements, and between which numbers
     m_verdict->setText(tr("%1: %2 to %3")
-                           .arg(counted(kind, qsizetype(made->count)), compactNumber(made->least),
-                                compactNumber(made->most)));
+                           .arg(counted(property.kind, qsizetype(made->count)),
+                                spokenText(made->least, property.unit),
+                                spokenText(made->most, property.unit)));
 }
 
 void MapDialog::accept()

@@ -7,6 +7,7 @@
 #include "dialogs/beside.h"
 #include "document/document.h"
 #include "document/selection.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "select/element_counts.h"
 #include "shaping/movable.h"
@@ -39,8 +40,8 @@ QString weightOf(const Scene& before, const Edit& edit)
             now += std::get<double>(values->values[values->values.size() == 1 ? 0 : i]);
             then += std::get<double>(property->get(*find(before, values->targets[i])));
         }
-        return OperationDialog::tr("They weigh %1 kg, before %2 kg.")
-            .arg(compactNumber(now), compactNumber(then));
+        return OperationDialog::tr("They weigh %1, before %2.")
+            .arg(spokenText(now, "kg"), spokenText(then, "kg"));
     }
     return {};
 }

@@ -1,8 +1,9 @@
 #include "files/film_look.h"
 
+#include "document/spoken.h"
+
 #include <QCoreApplication>
 #include <QFontDatabase>
-#include <QLocale>
 #include <QPainter>
 
 #include <cmath>
@@ -20,11 +21,9 @@ QStringList linesOf(const Frame& frame, const FilmLook& look)
         if (!probe.plotted)
             continue;
         const QString value = std::isfinite(frame.probe[i])
-                                  ? QLocale().toString(frame.probe[i], 'g', 4)
+                                  ? spokenText(frame.probe[i], probe.unit)
                                   : QCoreApplication::translate("Film", "none");
-        lines << QString("%1  %2 %3")
-                     .arg(QString::fromStdString(probe.name), value,
-                          QString::fromStdString(probe.unit));
+        lines << QString::fromStdString(probe.name) + QStringLiteral("  ") + value;
     }
     return lines;
 }

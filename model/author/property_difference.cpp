@@ -2,6 +2,8 @@
 // and what differs, of one thing and of many.
 #include "author/property_difference.h"
 
+#include "scene/said_number.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,17 +12,35 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t longText = 60; // letters, that are no longer told
+constexpr int wordDigits = 6;        // of a number
 
 // --- values in words ------------------------------------------------------------------------
 
-// A value where it stands in its scene. `exactly` is for two that six digits cannot tell apart.
-Message wordsOf(const Scene& scene, const Value& value, bool exactly)
+// How the numbers of a change are said: in one unit, which suits the largest of them.
+struct Saying
+{
+    ReadableUnit unit;
+    bool exactly = false; // for two that six digits cannot tell apart
+
+    Message operator()(double number) const { return numberInWords(number / unit.factor, exactly); }
+};
+
+double largestIn(const Value& value)
 {
     if (const auto* number = std::get_if<double>(&value))
-        return numberInWords(*number, exactly);
+        return std::abs(*number);
+    if (const auto* vector = std::get_if<Vec3>(&value))
+        return vector->cwiseAbs().maxCoeff();
+    return 0.0;
+}
+
+// A value where it stands in its scene.
+Message wordsOf(const Scene& scene, const Value& value, const Saying& say)
+{
+    if (const auto* number = std::get_if<double>(&value))
+        return say(*number);
     if (const auto* v = std::get_if<Vec3>(&value))
-        return Message("%1, %2, %3", numberInWords(v->x(), exactly), numberInWords(v->y(), exactly),
-                       numberInWords(v->z(), exactly));
+        return Message("%1, %2, %3", say(v->x()), say(v->y()), say(v->z()));
     if (const auto* flag = std::get_if<bool>(&value))
         return *flag ? Message("yes") : Message("no");
     if (const auto* id = std::get_if<Id>(&value)) {
@@ -50,9 +70,11 @@ Message changeOf(const TwoScenes& scenes, const Message& subject, const Message&
 {
     if (!isTold(from) || !isTold(to))
         return Message("%1: %2 changed", subject, what);
-    const bool exactly = wordsOf(scenes.first, from, false) == wordsOf(scenes.second, to, false);
-    return changeInWords(subject, what, wordsOf(scenes.first, from, exactly),
-                         wordsOf(scenes.second, to, exactly), unit);
+    Saying say{readableUnit(std::max(largestIn(from), largestIn(to)), unit)};
+    if (wordsOf(scenes.first, from, say) == wordsOf(scenes.second, to, say))
+        say = {{1.0, unit}, true};
+    return changeInWords(subject, what, wordsOf(scenes.first, from, say),
+                         wordsOf(scenes.second, to, say), say.unit.name);
 }
 
 // Elements by their number, or one by its id.
@@ -124,19 +146,33 @@ std::optional<double> commonFactor(const std::vector<Value>& from, const std::ve
     return factor;
 }
 
-// "0.1 to 0.3", or nothing where they are no numbers.
-std::optional<Message> spread(const std::vector<Value>& values)
+struct Spread
 {
-    double low = INFINITY, high = -INFINITY;
+    double low = INFINITY;
+    double high = -INFINITY;
+
+    double largest() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+// Nothing where they are no numbers.
+std::optional<Spread> spreadOf(const std::vector<Value>& values)
+{
+    Spread spread;
     for (const Value& value : values) {
         const auto* number = std::get_if<double>(&value);
         if (!number)
             return std::nullopt;
-        low = std::min(low, *number);
-        high = std::max(high, *number);
+        spread.low = std::min(spread.low, *number);
+        spread.high = std::max(spread.high, *number);
     }
-    return low == high ? numberInWords(low)
-                       : Message("%1 to %2", numberInWords(low), numberInWords(high));
+    return spread;
+}
+
+// "0.1 to 0.3".
+Message wordsOf(const Spread& spread, const Saying& say)
+{
+    return spread.low == spread.high ? say(spread.low)
+                                     : Message("%1 to %2", say(spread.low), say(spread.high));
 }
 
 Message farthest(const Message& subject, const std::vector<Value>& from,
@@ -145,7 +181,7 @@ Message farthest(const Message& subject, const std::vector<Value>& from,
     double most = 0.0;
     for (std::size_t i = 0; i < from.size(); ++i)
         most = std::max(most, (std::get<Vec3>(to[i]) - std::get<Vec3>(from[i])).norm());
-    return Message("%1: moved by up to %2 m", subject, numberInWords(most));
+    return Message("%1: moved by up to %2", subject, saidNumber(most, "m", wordDigits));
 }
 
 Message changeOfMany(const TwoScenes& scenes, const Property& property, const Message& subject,
@@ -162,9 +198,13 @@ Message changeOfMany(const TwoScenes& scenes, const Property& property, const Me
                         std::string(property.unit));
     if (const auto factor = commonFactor(from, to))
         return Message("%1: %2 x %3", subject, what, numberInWords(*factor));
-    const auto before = spread(from), after = spread(to);
-    if (before && after && *before != *after)
-        return changeInWords(subject, what, *before, *after, std::string(property.unit));
+    const auto before = spreadOf(from), after = spreadOf(to);
+    if (!before || !after)
+        return Message("%1: %2 changed", subject, what);
+    const Saying say{readableUnit(std::max(before->largest(), after->largest()), property.unit)};
+    const Message first = wordsOf(*before, say), second = wordsOf(*after, say);
+    if (first != second)
+        return changeInWords(subject, what, first, second, say.unit.name);
     return Message("%1: %2 changed", subject, what);
 }
 
@@ -173,7 +213,7 @@ Message changeOfMany(const TwoScenes& scenes, const Property& property, const Me
 Message numberInWords(double number, bool exactly)
 {
     if (!exactly)
-        return Message::number("%.6g", number);
+        return Message::number(plainNumber(number, wordDigits));
     char text[32];
     return Message::number({text, std::to_chars(text, text + sizeof text, number).ptr});
 }
@@ -183,6 +223,17 @@ Message changeInWords(const Message& subject, const Message& what, const Message
 {
     return unit.empty() ? Message("%1: %2 %3 -> %4", subject, what, from, to)
                         : Message("%1: %2 %3 -> %4 %5", subject, what, from, to, unit);
+}
+
+Message changeOfNumber(const Message& subject, const Message& what, double from, double to,
+                       const std::string& unit)
+{
+    const auto size = [](double number) { return std::isnan(number) ? 0.0 : std::abs(number); };
+    const Saying say{readableUnit(std::max(size(from), size(to)), unit)};
+    const auto words = [&](double number) {
+        return std::isnan(number) ? Message("none") : say(number);
+    };
+    return changeInWords(subject, what, words(from), words(to), say.unit.name);
 }
 
 void compareThing(Differences& list, const TwoScenes& scenes, const std::string& name, Id idFirst,

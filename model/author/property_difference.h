@@ -25,6 +25,10 @@ Message numberInWords(double number, bool exactly = false);
 Message changeInWords(const Message& subject, const Message& what, const Message& from,
                       const Message& to, const std::string& unit = {});
 
+// The same of two numbers, both in the unit that suits the larger; what is no number is none.
+Message changeOfNumber(const Message& subject, const Message& what, double from, double to,
+                       const std::string& unit);
+
 // Adds a difference for each property of one thing and its counterpart.
 void compareThing(Differences& list, const TwoScenes& scenes, const std::string& name, Id first,
                   Id second, const ConstRef& a, const ConstRef& b);

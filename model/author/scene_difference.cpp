@@ -4,9 +4,11 @@
 
 #include "author/property_difference.h"
 #include "author/rebuild.h"
+#include "scene/said_number.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ripstop {
 namespace {
@@ -27,13 +29,23 @@ Message itemTypeName(Kind kind)
 
 // --- parts --------------------------------------------------------------------------------------
 
-Message parameterInWords(const Builder* builder, const std::string& key, double value)
+// Nothing where it is a number.
+std::optional<Message> choiceInWords(const Builder* builder, const std::string& key, double value)
 {
     if (builder)
         for (const Parameter& parameter : builder->parameters)
             if (parameter.key == key && value >= 0.0 && value < double(parameter.choices.size()))
                 return Message::verbatim(std::string(parameter.choices[std::size_t(value)]));
-    return numberInWords(value);
+    return std::nullopt;
+}
+
+Message changeOfParameter(const Builder* builder, const Message& subject, const std::string& key,
+                          double from, double to, const std::string& unit)
+{
+    const Message what = Message::verbatim(key);
+    const auto first = choiceInWords(builder, key, from), second = choiceInWords(builder, key, to);
+    return first && second ? changeInWords(subject, what, *first, *second, unit)
+                           : changeOfNumber(subject, what, from, to, unit);
 }
 
 std::string unitOf(const Builder* builder, const std::string& key)
@@ -90,21 +102,17 @@ bool compareBuilders(Differences& list, const Entry& a, const Entry& b)
         const double other = found == to.end() ? NAN : found->second;
         if (value == other)
             continue;
-        const auto said = [&, &name = key](double number) {
-            return std::isnan(number) ? Message("none") : parameterInWords(builder, name, number);
-        };
         const std::string unit = unitOf(builder, key);
-        list.push_back(
-            {DifferenceKind::Parameter,
-             Kind::Part,
-             first.name,
-             key,
-             unit,
-             value,
-             other,
-             {a.id},
-             {b.id},
-             changeInWords(subject, Message::verbatim(key), said(value), said(other), unit)});
+        list.push_back({DifferenceKind::Parameter,
+                        Kind::Part,
+                        first.name,
+                        key,
+                        unit,
+                        value,
+                        other,
+                        {a.id},
+                        {b.id},
+                        changeOfParameter(builder, subject, key, value, other, unit)});
     }
     return list.size() > before;
 }
@@ -290,8 +298,8 @@ Message sizeOf(const Scene& scene)
         for (const Particle& particle : part.particles)
             mass += particle.mass;
     });
-    return Message("%1 particles, %2 links, %3 panels, %4 kg", particles, links, panels,
-                   Message::number("%.6g", mass));
+    return Message("%1 particles, %2 links, %3 panels, %4", particles, links, panels,
+                   saidNumber(mass, "kg"));
 }
 
 } // namespace ripstop

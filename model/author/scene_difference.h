@@ -41,7 +41,7 @@ struct SceneDifference
 
 std::vector<SceneDifference> differencesOf(const Scene& first, const Scene& second);
 
-// "152 particles, 458 links, 221 panels, 0.35 kg".
+// "152 particles, 458 links, 221 panels, 350 g".
 Message sizeOf(const Scene& scene);
 
 } // namespace ripstop

@@ -1,9 +1,10 @@
 // neighbour() measures the material and each candidate along the step (measure()), keeps those that
 // lie beyond the material on the wanted side, and takes the nearest. changesBy() goes through the
-// same numbers and shows them in units that are read easily (Shown).
+// same numbers and shows them in units that are read easily.
 #include "materials/neighbours.h"
 
 #include "materials/marks.h"
+#include "scene/said_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,29 +103,12 @@ Failure notMeasured(MaterialStep step, const std::string& name)
                          name);
 }
 
-// A unit in which numbers of a trade are read easily.
-struct ReadableUnit
-{
-    std::string_view from; // SI
-    std::string_view unit;
-    double factor; // numbers in `unit` per number in `from`
-    double least;  // from which on it is used, in `from`
-};
-constexpr std::array<ReadableUnit, 4> readableUnits{{{"kg/m\u00b2", "g/m\u00b2", 1e3, 0.0},
-                                                     {"kg/m", "g/m", 1e3, 0.0},
-                                                     {"N/m", "kN/m", 1e-3, 1e3},
-                                                     {"N", "kN", 1e-3, 1e4}}};
-
 Message changeOf(const Property& property, double before, double after)
 {
-    const auto readable = std::ranges::find_if(readableUnits, [&](const ReadableUnit& unit) {
-        return unit.from == property.unit && std::max(before, after) >= unit.least;
-    });
-    const bool isFound = readable != readableUnits.end();
-    const double factor = isFound ? readable->factor : 1.0;
-    return Message(
-        "%1 %2 → %3 %4", Message::word(property.label), Message::number("%.4g", before * factor),
-        Message::number("%.4g", after * factor), isFound ? readable->unit : property.unit);
+    const ReadableUnit unit = readableUnit(std::max(before, after), property.unit);
+    return Message("%1 %2 → %3 %4", Message::word(property.label),
+                   Message::number(plainNumber(before / unit.factor, 4)),
+                   Message::number(plainNumber(after / unit.factor, 4)), unit.name);
 }
 
 Message labelOf(MaterialStep step, const Preset& preset)

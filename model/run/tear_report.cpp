@@ -36,4 +36,9 @@ bool isOfPanel(const Tear& tear, const Layout& layout)
 
 bool isSnap(const Tear& tear) { return tear.length == 0.0; }
 
+const char* loadUnit(const Tear& tear, const Layout& layout)
+{
+    return isSnap(tear) ? "N m" : isOfPanel(tear, layout) ? "N/m" : "N";
+}
+
 } // namespace ripstop

@@ -35,4 +35,7 @@ bool isOfPanel(const Tear& tear, const Layout& layout);
 // Whether it is of a spar that was bent too far, whose load is a moment.
 bool isSnap(const Tear& tear);
 
+// Of the load that it tore at: "N" of a link, "N/m" of a panel, "N m" of a spar that snapped.
+const char* loadUnit(const Tear& tear, const Layout& layout);
+
 } // namespace ripstop

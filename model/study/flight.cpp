@@ -122,6 +122,7 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
     if (!frame->tears.empty()) {
         flight.firstTear = frame->tears.front().time;
         flight.firstTearLoad = frame->tears.front().force;
+        flight.firstTearUnit = loadUnit(frame->tears.front(), *frame->layout);
         flight.firstTorn = frame->tears.front().element;
     }
     if (flight.stopped.empty())

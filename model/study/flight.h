@@ -32,13 +32,14 @@ struct FlightResult
     std::int64_t steps = 0;
     std::string hash; // of the last state
     std::size_t torn = 0;
-    double firstTear = std::numeric_limits<double>::quiet_NaN();     // s
-    double firstTearLoad = std::numeric_limits<double>::quiet_NaN(); // N, N/m or N m (frame.h)
-    std::uint32_t firstTorn = 0;                                     // id of the element
-    std::string stopped;               // why it ended early, or cannot begin; empty when it did not
-    std::string absurd;                // what its end cannot be; empty when it can
-    std::string inaccurate;            // that it missed the wanted accuracy; empty when it did not
-    std::vector<double> measured;      // [measures] not a number where nothing counted
+    double firstTear = std::numeric_limits<double>::quiet_NaN(); // s
+    double firstTearLoad = std::numeric_limits<double>::quiet_NaN();
+    std::string firstTearUnit;    // of the load: loadUnit(); empty in ledgers that did not keep it
+    std::uint32_t firstTorn = 0;  // id of the element
+    std::string stopped;          // why it ended early, or cannot begin; empty when it did not
+    std::string absurd;           // what its end cannot be; empty when it can
+    std::string inaccurate;       // that it missed the wanted accuracy; empty when it did not
+    std::vector<double> measured; // [measures] not a number where nothing counted
     std::vector<Layout::Probe> probes; // with names that tell them apart
 
     bool endedEarly() const { return !whyEarly().empty(); } // or in what cannot be

@@ -81,6 +81,7 @@ std::optional<std::pair<std::string, FlightResult>> rowOf(const Json& json)
     flight.torn = std::size_t(number("torn"));
     flight.firstTear = number("first_tear");
     flight.firstTearLoad = number("first_tear_load");
+    flight.firstTearUnit = text("first_tear_unit");
     flight.firstTorn =
         std::uint32_t(std::isfinite(number("first_torn")) ? number("first_torn") : 0);
     flight.stopped = text("stopped");
@@ -252,6 +253,7 @@ std::optional<Failure> Ledger::add(const std::string& key, const FlightResult& f
     appendField(line, "torn", double(flight.torn));
     appendField(line, "first_tear", flight.firstTear);
     appendField(line, "first_tear_load", flight.firstTearLoad);
+    appendField(line, "first_tear_unit", flight.firstTearUnit);
     appendField(line, "first_torn", double(flight.firstTorn));
     appendField(line, "stopped", flight.stopped);
     appendField(line, "absurd", flight.absurd);

@@ -1411,12 +1411,12 @@
     <message>
         <location filename="display_check.cpp"/>
         <source>Start it on a desktop, or as "xvfb-run -a ripstop" where there is none; with LIBGL_ALWAYS_SOFTWARE=1 it draws without a graphics card. ripstop-cli needs no window.</source>
-        <translation>Lancez-le sur un bureau, ou par « xvfb-run -a ripstop » là où il n'y en a pas ; avec LIBGL_ALWAYS_SOFTWARE=1, il dessine sans carte graphique. ripstop-cli n'a pas besoin de fenêtre.</translation>
+        <translation>Lancez-le sur un bureau, ou par « xvfb-run -a ripstop » là où il n’y en a pas ; avec LIBGL_ALWAYS_SOFTWARE=1, il dessine sans carte graphique. ripstop-cli n’a pas besoin de fenêtre.</translation>
     </message>
     <message>
         <location filename="display_check.cpp"/>
         <source>the platform "%1" has no OpenGL %2.%3, which the view in three dimensions needs. %4</source>
-        <translation>la plateforme « %1 » n'a pas OpenGL %2.%3, dont la vue en trois dimensions a besoin. %4</translation>
+        <translation>la plateforme « %1 » n’a pas OpenGL %2.%3, dont la vue en trois dimensions a besoin. %4</translation>
     </message>
     <message>
         <location filename="dock_table.cpp"/>
@@ -3545,11 +3545,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
-        <source>%1 m²</source>
-        <translation>%1 m²</translation>
-    </message>
-    <message>
-        <location filename="import_dialog.cpp"/>
         <source>%1 rods</source>
         <translation>%1 tiges</translation>
     </message>
@@ -5526,8 +5521,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="operation_dialog.cpp"/>
-        <source>They weigh %1 kg, before %2 kg.</source>
-        <translation>Elles pèsent %1 kg, avant %2 kg.</translation>
+        <source>They weigh %1, before %2.</source>
+        <translation>Elles pèsent %1, avant %2.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -6915,8 +6910,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="property_difference.cpp"/>
-        <source>%1: moved by up to %2 m</source>
-        <translation>%1 : déplacement jusqu’à %2 m</translation>
+        <source>%1: moved by up to %2</source>
+        <translation>%1 : déplacement jusqu’à %2</translation>
     </message>
     <message>
         <location filename="property_difference.cpp"/>
@@ -7843,8 +7838,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="scene_difference.cpp"/>
-        <source>%1 particles, %2 links, %3 panels, %4 kg</source>
-        <translation>%1 particules, %2 liaisons, %3 panneaux, %4 kg</translation>
+        <source>%1 particles, %2 links, %3 panels, %4</source>
+        <translation>%1 particules, %2 liaisons, %3 panneaux, %4</translation>
     </message>
     <message>
         <location filename="scene_difference.cpp"/>
@@ -9652,8 +9647,8 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_view.cpp"/>
-        <source>Ended early at %1 s: %2</source>
-        <translation>Arrêté tôt, à %1 s : %2</translation>
+        <source>Ended early at %1: %2</source>
+        <translation>Arrêté tôt, à %1 : %2</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>
@@ -9721,8 +9716,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="study_view.cpp"/>
-        <source>Tore at %1 s, at a load of %2.</source>
-        <translation>Déchiré à %1 s, sous une charge de %2.</translation>
+        <source>Tore at %1, at a load of %2.</source>
+        <translation>Déchiré à %1, sous une charge de %2.</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>
@@ -16151,8 +16146,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="totals.cpp"/>
-        <source>Centre of gravity %1 m, inertia %2 kg m²</source>
-        <translation>Centre de gravité %1 m, inertie %2 kg m²</translation>
+        <source>Centre of gravity %1, inertia %2</source>
+        <translation>Centre de gravité %1, inertie %2</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>

@@ -46,7 +46,7 @@ private slots:
         MapDialog dialog(desk.document, desk.selection, nullptr);
         dialog.setNumber(propertyOf<&Link::restLength>());
         dialog.setFormula("1 + 2 * x");
-        QCOMPARE(dialog.verdict(), QString("3 links: 1 to 2"));
+        QCOMPARE(dialog.verdict(), QString("3 links: 1\u00a0m to 2\u00a0m"));
         dialog.accept();
         QCOMPARE(desk.restLength(Id{5}), 2.0);
         QCOMPARE(desk.restLength(Id{7}), 1.0);

@@ -60,9 +60,9 @@ private slots:
             QTest::newRow(assignment) << QString(assignment) << QStringList{QString(expected)};
         };
         row("wind.velocity=10, 0, 1.5", "wind: Velocity 0, 0, 0 -> 10, 0, 1.5 m/s");
-        row("settings.timeStep=0.001", "Settings: Time step 0.00416667 -> 0.001 s");
+        row("settings.timeStep=0.001", "Settings: Time step 4.16667 -> 1 ms");
         row("settings.title=Blanket", "Settings: Title none -> Blanket");
-        row("sheet.particles.mass=0.25", "sheet, 2 particles: Mass 0.01 -> 0.25 kg");
+        row("sheet.particles.mass=0.25", "sheet, 2 particles: Mass 10 -> 250 g");
         row("#2.pinned=true", "sheet, particle 2: Pinned no -> yes");
         row("#2.position=3, 4, 0", "sheet, particle 2: moved by up to 5 m");
         row("sheet.links.restLength=2.5", "sheet, link 4: Rest length 1 -> 2.5 m");
@@ -96,6 +96,15 @@ private slots:
         const QString what = ": patch (1 particles, 0 links, 0 panels)";
         QCOMPARE(sentences(small(), with), QStringList{"Part added" + what});
         QCOMPARE(sentences(with, small()), QStringList{"Part removed" + what});
+    }
+
+    // Masses are said as people say them, here as everywhere.
+    void sizesAreSaidInReadableUnits()
+    {
+        Scene scene = changed(small(), "sheet.particles.mass=0");
+        scene = changed(scene, "#2.mass=0.206257");
+        const std::string size = sizeOf(scene).english();
+        QVERIFY2(size.ends_with(" panels, 206.3 g"), size.c_str());
     }
 
     void rowsThatComeAndGo()

@@ -251,6 +251,8 @@ private slots:
         QVERIFY(simulation.runUntil(4.0));
         QVERIFY(!simulation.state().tears.empty());
         QVERIFY(isSnap(simulation.frame()->tears[0]));
+        const auto frame = simulation.frame();
+        QCOMPARE(std::string(loadUnit(frame->tears[0], *frame->layout)), std::string("N m"));
     }
 
     // A line of 100 N with knots that leave 0.6 of it breaks at 60 N.

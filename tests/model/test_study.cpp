@@ -305,6 +305,7 @@ private slots:
         flight.hash = "00000000000000ff";
         flight.torn = 1;
         flight.firstTear = 0.05;
+        flight.firstTearUnit = "N/m";
         flight.stopped = "a \"reason\"\n";
         flight.inaccurate = "missed";
         flight.measured = {1.0 / 3.0, std::nan("")};
@@ -332,6 +333,7 @@ private slots:
         QCOMPARE(row.hash, std::string("00000000000000ff"));
         QCOMPARE(row.firstTear, 0.05);
         QVERIFY(std::isnan(row.firstTearLoad));
+        QCOMPARE(row.firstTearUnit, std::string("N/m"));
         QCOMPARE(row.stopped, std::string("a \"reason\"\n"));
         QCOMPARE(row.inaccurate, std::string("missed"));
         QCOMPARE(row.measured[0], 1.0 / 3.0);
@@ -394,6 +396,7 @@ private slots:
                                         .arg(limit)
                                         .arg(most)
                                         .arg(flight->torn)));
+                QCOMPARE(flight->firstTearUnit, std::string(flight->torn > 0 ? "N" : ""));
                 (flight->torn > 0 ? torn : held)++;
             }
         QVERIFY(torn > 30 && held > 30);

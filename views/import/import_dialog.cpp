@@ -68,8 +68,7 @@ QString countsText(const MeshImport& made)
         links << ImportDialog::tr("no links");
     return QStringList{counted(Kind::Particle, qsizetype(made.particles)), links.join(", "),
                        counted(Kind::Panel, qsizetype(made.panels)),
-                       ImportDialog::tr("%1 m\u00b2").arg(QLocale().toString(made.area, 'g', 4)),
-                       massText(made.mass)}
+                       spokenText(made.area, "m\u00b2"), massText(made.mass)}
         .join(QStringLiteral(" \u00b7 "));
 }
 

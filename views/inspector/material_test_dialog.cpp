@@ -4,6 +4,7 @@
 // what an own material needs besides (own_material_dialog.h has the same rules).
 #include "inspector/material_test_dialog.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 #include "materials/own_materials.h"
 #include "scene/typed_number.h"
@@ -17,7 +18,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -31,8 +31,6 @@ namespace {
 constexpr qint64 longestFile = 20 * 1024 * 1024; // bytes
 
 std::string textOf(const QLineEdit* field) { return field->text().trimmed().toStdString(); }
-
-QString shownNumber(double value) { return QLocale().toString(value, 'g', 4); }
 
 // A positive length, or what is wrong with what was typed.
 Result<double> lengthIn(const QLineEdit* field, const Message& what)
@@ -107,8 +105,8 @@ void MaterialTestDialog::makePlot()
         const double a = m_plot->xAxis->pixelToCoord(rect.left());
         const double b = m_plot->xAxis->pixelToCoord(rect.right());
         const QString unit(QString::fromUtf8(elongationUnit(m_size.specimen).data()));
-        m_from->setText(shownNumber(std::min(a, b)) + ' ' + unit);
-        m_to->setText(shownNumber(std::max(a, b)) + ' ' + unit);
+        m_from->setText(spokenNumber(std::min(a, b)) + ' ' + unit);
+        m_to->setText(spokenNumber(std::max(a, b)) + ' ' + unit);
     });
 }
 
@@ -265,13 +263,12 @@ void MaterialTestDialog::refresh()
 void MaterialTestDialog::tell(const MaterialFit& fit, const SpecimenSize& size)
 {
     QStringList lines{translated(summaryOf(fit, size)),
-                      tr("Residual %1 N").arg(shownNumber(fit.residual))};
-    const QString at = shownNumber(shownElongation(fit.highestAt, size.specimen)) + ' '
+                      tr("Residual %1 N").arg(spokenNumber(fit.residual))};
+    const QString at = spokenNumber(shownElongation(fit.highestAt, size.specimen)) + ' '
                        + QString::fromUtf8(elongationUnit(size.specimen).data());
-    lines
-        << (fit.broke
-                ? tr("Broke at %1 N and %2").arg(shownNumber(fit.highest), at)
-                : tr("Did not break: largest force %1 N, at %2").arg(shownNumber(fit.highest), at));
+    lines << (fit.broke ? tr("Broke at %1 N and %2").arg(spokenNumber(fit.highest), at)
+                        : tr("Did not break: largest force %1 N, at %2")
+                              .arg(spokenNumber(fit.highest), at));
     m_result->setText(lines.join('\n'));
     m_save->setEnabled(!materialNameOf(textOf(m_label)).empty());
 }

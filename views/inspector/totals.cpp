@@ -97,16 +97,16 @@ QString balance(const Scene& scene, const std::vector<Id>& ids)
     const MassProperties weight = massPropertiesOf(scene, ids);
     if (weight.mass <= 0.0 || weight.particles < 2)
         return {};
-    const double size = std::max(weight.centre.norm(), 1e-3);
-    const auto three = [](const Vec3& v, double least) {
+    const auto three = [](const Vec3& v, const char* unit) {
+        const SpokenScale scale = spokenScale(v.cwiseAbs().maxCoeff(), unit);
         QStringList numbers;
         for (const double one : v)
-            numbers << QString::number(std::abs(one) < least ? 0.0 : one, 'g', 3);
-        return numbers.join(QStringLiteral(", "));
+            numbers << scale.number(one, 3);
+        return numbers.join(QStringLiteral(", ")) + QChar(0x00a0) + scale.unit;
     };
     return QChar('\n')
-           + words("Centre of gravity %1 m, inertia %2 kg m\u00b2")
-                 .arg(three(weight.centre, 1e-9 * size), three(weight.inertia, 0.0));
+           + words("Centre of gravity %1, inertia %2")
+                 .arg(three(weight.centre, "m"), three(weight.inertia, "kg m\u00b2"));
 }
 
 QString counts(const Sums& sums)

@@ -2,6 +2,7 @@
 // draws what is chosen, and describe(), which puts a flight into words.
 #include "study/study_view.h"
 
+#include "document/spoken.h"
 #include "document/words.h"
 #include "icons/icon.h"
 #include "study/columns_view.h"
@@ -33,11 +34,12 @@ constexpr int whichRole = Qt::UserRole + 1; // of a page that has several pictur
 QString outcomeText(const FlightResult& flight)
 {
     if (flight.endedEarly())
-        return StudyView::tr("Ended early at %1 s: %2")
-            .arg(fourDigits(flight.time), translated(flight.whyEarly()));
+        return StudyView::tr("Ended early at %1: %2")
+            .arg(spokenText(flight.time, "s"), translated(flight.whyEarly()));
     if (flight.torn > 0)
-        return StudyView::tr("Tore at %1 s, at a load of %2.")
-            .arg(fourDigits(flight.firstTear), fourDigits(flight.firstTearLoad));
+        return StudyView::tr("Tore at %1, at a load of %2.")
+            .arg(spokenText(flight.firstTear, "s"),
+                 spokenText(flight.firstTearLoad, flight.firstTearUnit));
     return StudyView::tr("Held.");
 }
 
@@ -425,9 +427,12 @@ void StudyView::describe(qlonglong point)
         return m_told->setText(tr("Click a flight to watch it or to take its values."));
     QString text = valuesOf(*m_study, std::size_t(point)) + QStringLiteral(": ");
     if (const FlightResult* flight = (*m_flights)[std::size_t(point)]) {
-        const double value =
-            readingOf(*flight, std::size_t(std::max(0, m_reading->currentIndex())));
-        if (std::isfinite(value))
+        const auto reading = std::size_t(std::max(0, m_reading->currentIndex()));
+        const double value = readingOf(*flight, reading);
+        const std::size_t measures = m_study->headings.size(); // first tear and load come after
+        const bool isOfTear =
+            reading >= measures && reading < measures + std::size_t(TearReading::Torn);
+        if (std::isfinite(value) && !isOfTear) // which the outcome says
             text += tr("%1 is %2. ")
                         .arg(wordsOfHeading(m_reading->currentText()).name,
                              measuredText(m_reading->currentText(), value));
