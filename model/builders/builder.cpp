@@ -176,6 +176,18 @@ Parameters newDesign(const Builder& builder, const Parameters& given)
     return all;
 }
 
+bool counts(const Parameter& parameter, std::span<const Parameter> all, const Parameters& values)
+{
+    const auto [key, is] = parameter.needs;
+    const auto other = std::ranges::find(all, key, &Parameter::key);
+    if (key.empty() || other == all.end())
+        return true;
+    const auto value = values.find(std::string(key));
+    const bool isZero =
+        !counts(*other, all, values) || (value != values.end() && value->second == 0.0);
+    return isZero == (is == ParameterNeed::Is::Zero);
+}
+
 void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows)
 {
     for (std::size_t row = 0; row < rows.size(); ++row)

@@ -22,6 +22,21 @@
 
 namespace ripstop {
 
+// What another parameter has to be for this one to count. One that does not count itself is as if
+// it were zero.
+struct ParameterNeed
+{
+    enum class Is { Zero, NotZero }; // the first choice is zero: ideal, or none
+    std::string_view key;            // empty: it always counts
+    Is is = Is::Zero;
+};
+
+constexpr ParameterNeed isZero(std::string_view key) { return {key, ParameterNeed::Is::Zero}; }
+constexpr ParameterNeed isNotZero(std::string_view key)
+{
+    return {key, ParameterNeed::Is::NotZero};
+}
+
 struct Parameter
 {
     std::string_view key;
@@ -34,6 +49,7 @@ struct Parameter
     std::string_view group = {};                    // heading over this one and those after it
     std::span<const std::string_view> choices = {}; // what whole numbers from 0 on stand for
     std::optional<double> offered = {};             // of a new design, where that is not `initial`
+    ParameterNeed needs = {};
 
     double atFirst() const { return offered.value_or(initial); } // of a new design
 };
@@ -53,6 +69,9 @@ constexpr auto joined(const std::array<Parameter, counts>&... tables)
 }
 
 using Parameters = std::map<std::string, double>;
+
+// Whether it changes anything beside these values, which say all of them.
+bool counts(const Parameter& parameter, std::span<const Parameter> all, const Parameters& values);
 
 // Rows of numbers, as one copies them from a spreadsheet. Among the parameters its cells are called
 // KEY.ROW.COLUMN, from 1 on: "lengths.2.1".

@@ -19,11 +19,11 @@ namespace ripstop {
 // clang-format off
 inline constexpr auto flatKiteParameters = std::to_array<Parameter>({
     {"tail_length",  "m",     3,      0, 50,    false, "Of the tail; 0 leaves it out.", "Tail"},
-    {"tail_segments", "",     8,      1, 100,   true,  "Segments of the tail."},
+    {"tail_segments", "",     8,      1, 100,   true,  "Segments of the tail.", {}, {}, {}, isNotZero("tail_length")},
     {"tail_width",   "m",     0.01,   0, 0.2,   false, "Mean width of the tail and its ribbons, which the wind drags."},
-    {"tail_density", "kg/m",  0.002,  1e-5, 0.5, false, "Mass of the tail per length."},
-    {"fabric",       "kg/m^2", 0.045, 0.005, 1, false, "Mass of the fabric per area; 0.045 is ripstop nylon for kites.", "Mass"},
-    {"frame_mass",   "kg",    0.06,   0.001, 10, false, "Spars, and the ring at the tow point."},
+    {"tail_density", "kg/m",  0.002,  1e-5, 0.5, false, "Mass of the tail per length.", {}, {}, {}, isNotZero("tail_length")},
+    {"fabric",       "kg/m^2", 0.045, 0.005, 1, false, "Mass of the fabric per area; 0.045 is ripstop nylon for kites.", "Mass", {}, {}, isZero("cloth")},
+    {"frame_mass",   "kg",    0.06,   0.001, 10, false, "Spars, and the ring at the tow point.", {}, {}, {}, isZero("spars")},
     {"lift_slope",   "1/rad", 2.5,    0.1, 8,   false, "Normal force coefficient per sine of the angle of attack; 2.5 for a plate as wide as it is high.", "Air"},
     {"drag",         "",      0.06,   0, 0.5,   false, "Drag coefficient of sail and spars edge on, as skin friction of the sail."},
 });

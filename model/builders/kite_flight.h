@@ -16,8 +16,8 @@ namespace ripstop {
 inline constexpr auto flightParameters = std::to_array<Parameter>({
     {"line",         "",      14,     2, 200,   true,  "Segments of the line.", "Line"},
     {"line_length",  "m",     25,     1, 1000,  false, "From the tow point to the hand."},
-    {"line_density", "kg/m",  0.0005, 1e-5, 0.1, false, "Mass of the line per length."},
-    {"line_diameter", "m",    0.0008, 0, 0.02,  false, "Thickness of the line, which the wind drags."},
+    {"line_density", "kg/m",  0.0005, 1e-5, 0.1, false, "Mass of the line per length.", {}, {}, {}, isZero("cord")},
+    {"line_diameter", "m",    0.0008, 0, 0.02,  false, "Thickness of the line, which the wind drags.", {}, {}, {}, isZero("cord")},
     {"wind",         "m/s",   6,      0, 30,    false, "Speed of the wind.", "Flight"},
     {"gusts",        "m/s",   0,      0, 50,    false, "Wind at 20 ft whose gusts blow as well; 7.7 is light turbulence, 15.4 moderate."},
     {"launch",       "deg",   35,     5, 85,    false, "Angle of the line above the horizon at the start."},

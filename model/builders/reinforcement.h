@@ -25,12 +25,29 @@ namespace ripstop {
 constexpr std::array<Parameter, 2> patchParameters(std::span<const std::string_view> choices,
                                                    double radius)
 {
-    return {{{"patch", "", 0, 0, double(choices.size() - 1), true,
+    return {{{"patch",
+              "",
+              0,
+              0,
+              double(choices.size() - 1),
+              true,
               "Cloth that doubles real cloth where it is pulled at a point: at nose, tips and "
               "corners, and where lines are tied.",
-              "Reinforcement", choices},
-             {"patch_radius", "m", radius, 0.01, 5, false,
-              "Radius of the patches; they cover the panels whose middle lies within it."}}};
+              "Reinforcement",
+              choices,
+              {},
+              isNotZero("cloth")},
+             {"patch_radius",
+              "m",
+              radius,
+              0.01,
+              5,
+              false,
+              "Radius of the patches; they cover the panels whose middle lies within it.",
+              {},
+              {},
+              {},
+              isNotZero("patch")}}};
 }
 
 // Covers panels around the points with the patches that are chosen and weighs these; answers the

@@ -1,5 +1,5 @@
-// A number is said in a unit of the table below: that of the first word of its own with a prefix, as
-// far as units.h can read it back.
+// A number is said in a unit of the table below: that of the first word of its own with a prefix,
+// as far as units.h can read it back.
 #include "scene/said_number.h"
 
 #include "scene/units.h"

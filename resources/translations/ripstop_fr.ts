@@ -2944,6 +2944,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>sans fantômes</translation>
     </message>
     <message>
+        <location filename="fold_button.cpp"/>
+        <source>%1 more fields do nothing now</source>
+        <translation>%1 autres champs sans effet ici</translation>
+    </message>
+    <message>
+        <location filename="fold_button.cpp"/>
+        <source>1 more field does nothing now</source>
+        <translation>1 autre champ sans effet ici</translation>
+    </message>
+    <message>
+        <location filename="fold_button.cpp"/>
+        <source>Hide what does nothing now</source>
+        <translation>Masquer ce qui est sans effet</translation>
+    </message>
+    <message>
         <location filename="formula.cpp"/>
         <source>"%1" is no other probe; names are written with _ for blanks</source>
         <translation>« %1 » n’est pas une autre sonde ; les noms s’écrivent avec _ pour les blancs</translation>
@@ -5984,6 +5999,16 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>activé</translation>
     </message>
     <message>
+        <location filename="parameter_form.cpp"/>
+        <source>Does nothing now: it counts where %1 is not “%2”.</source>
+        <translation>N’agit pas maintenant : compte là où %1 n’est pas « %2 ».</translation>
+    </message>
+    <message>
+        <location filename="parameter_form.cpp"/>
+        <source>Does nothing now: it counts where %1 is “%2”.</source>
+        <translation>N’agit pas maintenant : compte là où %1 est « %2 ».</translation>
+    </message>
+    <message>
         <location filename="path.cpp"/>
         <source>"%1" is a %2, not a %3</source>
         <translation>« %1 » est de la sorte %2, et non %3</translation>
@@ -6925,18 +6950,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
-        <source>%1 more fields do nothing now</source>
-        <translation>%1 autres champs sans effet ici</translation>
-    </message>
-    <message>
-        <location filename="property_form.cpp"/>
         <source>%1&lt;br&gt;The default is %2.</source>
         <translation>%1&lt;br&gt;La valeur par défaut est %2.</translation>
-    </message>
-    <message>
-        <location filename="property_form.cpp"/>
-        <source>1 more field does nothing now</source>
-        <translation>1 autre champ sans effet ici</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
@@ -6982,11 +6997,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="property_form.cpp"/>
         <source>From %1</source>
         <translation>À partir de %1</translation>
-    </message>
-    <message>
-        <location filename="property_form.cpp"/>
-        <source>Hide what does nothing now</source>
-        <translation>Masquer ce qui est sans effet</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>

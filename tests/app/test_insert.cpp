@@ -23,6 +23,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -96,6 +97,29 @@ class TestInsert : public QObject
     Q_OBJECT
 
 private slots:
+    // Real cloth, spars and lines bring their own mass; the fields of ideal ones are folded away,
+    // and keep what they say.
+    void whatDoesNothingIsFolded()
+    {
+        BuilderDialog dialog(QStringLiteral("delta_kite"));
+        const auto isShown = [&](const char* key) {
+            return dialog.findChild<QWidget*>(key)->isVisibleTo(&dialog);
+        };
+        auto* cloth = dialog.findChild<QWidget*>("cloth")->findChild<QComboBox*>();
+        auto* fold = dialog.findChild<QToolButton*>("idleParameters");
+        QVERIFY(isShown("span") && isShown("cloth") && isShown("keel_length"));
+        QVERIFY(!isShown("fabric") && !isShown("frame_mass") && !isShown("line_density"));
+        QVERIFY(!isShown("keel"));
+        QVERIFY(fold->text().startsWith("6 more"));
+        cloth->setCurrentIndex(0);
+        QVERIFY(isShown("fabric") && isShown("keel") && !isShown("keel_length"));
+        QCOMPARE(numberOf(dialog, "fabric")->text(), QStringLiteral("0.045"));
+        fold->click();
+        QVERIFY(isShown("frame_mass") && isShown("keel_length"));
+        fold->click();
+        QVERIFY(!isShown("frame_mass"));
+    }
+
     // Enter takes the number that was typed and leaves all others, and the dialog, as they are;
     // also before there was time to build anything of it.
     void enterKeepsWhatWasTyped()
@@ -230,7 +254,8 @@ private slots:
         };
         for (const char* shape : {"span", "chord", "line_length", "wind"})
             QVERIFY2(placeOf(shape) < placeOf("segments"), shape);
-        QVERIFY(placeOf("segments") < placeOf("keel"));
+        QVERIFY(placeOf("chord") < placeOf("cloth"));
+        QVERIFY(placeOf("cloth") < placeOf("line_length"));
     }
 
     void theBuilderDialogBuildsWhatItSays()

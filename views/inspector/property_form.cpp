@@ -10,6 +10,7 @@
 
 #include "document/words.h"
 #include "icons/complaint.h"
+#include "icons/fold_button.h"
 #include "icons/icon.h"
 #include "inspector/remedies.h"
 #include "inspector/slider_shelf.h"
@@ -23,7 +24,6 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
-#include <QToolButton>
 
 #include <algorithm>
 
@@ -107,29 +107,21 @@ PropertyForm::PropertyForm(Subject& subject, UsageWatch& usage, SliderShelf& sli
         if (!isOfSolver(property))
             addRow(*grid, property);
     if (kind == Kind::Settings) {
-        m_solver = foldButton("solverFields", m_showsSolver);
+        m_solver = foldButton("solverFields");
         grid->addWidget(m_solver, grid->rowCount(), 0, 1, 4);
         for (const Property& property : propertiesOf(kind))
             if (isOfSolver(property))
                 addRow(*grid, property);
     }
-    m_idle = foldButton("idleFields", m_showsIdle);
+    m_idle = foldButton("idleFields");
     grid->addWidget(m_idle, grid->rowCount(), 0, 1, 4);
     grid->setRowStretch(grid->rowCount(), 1);
 }
 
-// A discreet line that shows and hides rows.
-QToolButton* PropertyForm::foldButton(const char* name, bool& isOpen)
+FoldButton* PropertyForm::foldButton(const char* name)
 {
-    auto* button = new QToolButton;
-    button->setObjectName(QLatin1String(name));
-    button->setAutoRaise(true);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setForegroundRole(QPalette::PlaceholderText);
-    connect(button, &QToolButton::clicked, this, [this, &isOpen] {
-        isOpen = !isOpen;
-        refresh();
-    });
+    auto* button = new FoldButton(name);
+    connect(button, &FoldButton::toggledOpen, this, &PropertyForm::refresh);
     return button;
 }
 
@@ -288,13 +280,13 @@ int PropertyForm::showRows()
     int idle = 0;
     int ofSolver = 0;
     for (const Row& row : m_rows) {
-        const bool isFolded = isOfSolver(*row.property) && !m_showsSolver && !isSearch;
+        const bool isFolded = isOfSolver(*row.property) && !m_solver->isOpen() && !isSearch;
         const bool isIdle = !row.idle.isEmpty() && !isFolded;
         const bool isTyped = std::ranges::any_of(
             row.field.focus, [](const QWidget* one) { return one && one->hasFocus(); });
         const bool doesFit = fits(row);
         const bool isShown =
-            doesFit && !isFolded && (!isIdle || m_showsIdle || isSearch || isTyped);
+            doesFit && !isFolded && (!isIdle || m_idle->isOpen() || isSearch || isTyped);
         row.label->setVisible(isShown);
         row.field.widget->setVisible(isShown);
         row.complaint->setVisible(isShown && !row.complaint->text().isEmpty());
@@ -304,17 +296,12 @@ int PropertyForm::showRows()
         idle += isIdle;
         ofSolver += isOfSolver(*row.property);
     }
-    m_idle->setVisible(idle > 0 && !isSearch);
-    m_idle->setArrowType(m_showsIdle ? Qt::DownArrow : Qt::RightArrow);
-    m_idle->setText(m_showsIdle ? tr("Hide what does nothing now")
-                    : idle == 1 ? tr("1 more field does nothing now")
-                                : tr("%1 more fields do nothing now").arg(idle));
+    m_idle->sayIdle(isSearch ? 0 : idle);
     m_idle->setToolTip(tr("Fields that do nothing in the design as it is. Their names say why, and "
                           "some can be made to count."));
     if (m_solver) {
         m_solver->setVisible(!isSearch);
-        m_solver->setArrowType(m_showsSolver ? Qt::DownArrow : Qt::RightArrow);
-        m_solver->setText(tr("How it is computed (%1 fields)").arg(ofSolver));
+        m_solver->say(tr("How it is computed (%1 fields)").arg(ofSolver));
         m_solver->setToolTip(tr("Time step, solver and accuracy. The automatic solver chooses "
                                 "what fits."));
     }

@@ -19,6 +19,7 @@ class QToolButton;
 
 namespace ripstop {
 
+class FoldButton;
 class SliderShelf;
 class UsageWatch;
 
@@ -51,7 +52,7 @@ private:
     };
 
     void showEvent(QShowEvent* event) override;
-    QToolButton* foldButton(const char* name, bool& isOpen);
+    FoldButton* foldButton(const char* name);
     bool fits(const Row& row) const; // what is searched for
     int showRows();                  // and returns how many fit
     void addRow(QGridLayout& grid, const Property& property);
@@ -64,11 +65,9 @@ private:
     UsageWatch& m_usage;
     SliderShelf& m_sliders;
     std::vector<Row> m_rows;
-    QString m_words; // that are searched for
-    bool m_showsIdle = false;
-    bool m_showsSolver = false;
-    QToolButton* m_idle;             // shows what does nothing now
-    QToolButton* m_solver = nullptr; // shows how it is computed; of the settings
+    QString m_words;                // that are searched for
+    FoldButton* m_idle;             // shows what does nothing now
+    FoldButton* m_solver = nullptr; // shows how it is computed; of the settings
 };
 
 } // namespace ripstop

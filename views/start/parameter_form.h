@@ -1,6 +1,7 @@
 // The parameters of a builder or an operation as a form: one ParameterField for each row, under the
-// headings of their groups. The dialogs of builders and operations show it. The table of parameters
-// must outlive the form. Only the window's thread uses it.
+// headings of their groups. What does nothing beside the others (Parameter::needs) is folded away
+// and keeps its value. The dialogs of builders and operations show the form. The table of
+// parameters must outlive it. Only the window's thread uses it.
 #pragma once
 
 #include "builders/builder.h"
@@ -9,8 +10,12 @@
 
 #include <vector>
 
+class QFormLayout;
+class QLabel;
+
 namespace ripstop {
 
+class FoldButton;
 class ParameterField;
 
 class ParameterForm final : public QWidget
@@ -33,7 +38,22 @@ signals:
     void changed(); // by the user; setValues() and restoreDefaults() do not emit it
 
 private:
-    std::vector<ParameterField*> m_fields;
+    struct Group
+    {
+        QLabel* heading; // null for rows above the first one
+        std::vector<ParameterField*> fields;
+    };
+
+    void addGroup(const std::vector<const Parameter*>& rows);
+    void showWhatCounts();
+    bool counts(const ParameterField& field, const Parameters& values) const;
+    QString whyIdle(const Parameter& parameter) const;
+
+    std::span<const Parameter> m_parameters;
+    QFormLayout* m_form;
+    std::vector<Group> m_groups;
+    std::vector<ParameterField*> m_fields; // of all groups
+    FoldButton* m_idle;
 };
 
 } // namespace ripstop
