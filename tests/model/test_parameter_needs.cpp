@@ -87,7 +87,8 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         for (const Builder& builder : allBuilders()) {
-            const QString name = QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size()));
+            const QString name =
+                QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size()));
             QTest::newRow(qPrintable(name)) << name;
         }
     }

@@ -1,6 +1,6 @@
 // A cell hashes its place and the number of the streak to where that passes; windStreaks() walks
 // over the cells about the middle of the view and follows each streak through the air by midpoint
-// steps.
+// steps: forwards in the mean wind to its head, and back from there in that of the moment.
 #include "look/wind_streaks.h"
 
 #include "look/steady_range.h"
@@ -18,7 +18,7 @@ constexpr double cellsOfLife = 1.5;   // that the wind blows through while a str
 constexpr double tailShare = 0.3;     // of a life, from head to tail
 constexpr double slowestDrift = 0.5;  // m/s, that a life is reckoned with
 constexpr double calm = 1e-3;         // m/s
-constexpr int stepsToTail = 4;        // midpoint steps from the start to the tail
+constexpr int stepsToHead = 8;        // midpoint steps
 
 // Steele, Lea and Flood 2014: the mixing of SplitMix64.
 std::uint64_t mixed(std::uint64_t value)
@@ -53,7 +53,11 @@ struct Air
         return sum;
     }
     Vec3 at(const Vec3& place) const { return mean(place) + gust; }
-    Vec3 drifted(const Vec3& place, double time) const
+    Vec3 carried(const Vec3& place, double time) const // by the mean wind
+    {
+        return place + time * mean(place + 0.5 * time * mean(place));
+    }
+    Vec3 blown(const Vec3& place, double time) const // by the wind of the moment
     {
         return place + time * at(place + 0.5 * time * at(place));
     }
@@ -71,14 +75,14 @@ WindStreak streakOf(const Air& air, const Cell& cell, double step, double time)
     const Vec3 aside(chance(cell, 4 * number + 1) - 0.5, chance(cell, 4 * number + 2) - 0.5,
                      chance(cell, 4 * number + 3) - 0.5);
     Vec3 place = middle + step * aside - 0.5 * life * mean;
-    const double tail = std::max(age - tailShare * life, 0.0);
-    for (int i = 0; i < stepsToTail; ++i)
-        place = air.drifted(place, tail / stepsToTail);
+    for (int i = 0; i < stepsToHead; ++i)
+        place = air.carried(place, age / stepsToHead);
 
     WindStreak streak;
-    streak.path[0] = place;
-    for (std::size_t i = 1; i < streak.path.size(); ++i)
-        streak.path[i] = air.drifted(streak.path[i - 1], (age - tail) / (WindStreak::points - 1));
+    streak.path.back() = place;
+    const double stretch = std::min(age, tailShare * life) / (WindStreak::points - 1);
+    for (std::size_t i = streak.path.size() - 1; i > 0; --i)
+        streak.path[i - 1] = air.blown(streak.path[i], -stretch);
     const double share = age / life;
     streak.opacity = 4.0 * share * (1.0 - share);
     return streak;

@@ -3,10 +3,10 @@
 // Space is a grid of cells that stands in the world; its step is a round number of metres, in
 // keeping with the view. From each cell one streak after another sets out, lives for the time in
 // which the mean wind of its middle blows through a cell and a half, and is brightest halfway,
-// where it passes near that middle. It moves as the air does: its head at age a is where the
-// air of its start is after a, in the mean wind of each place on its way (profiles, jets) and the
-// gust of the moment. All of it follows from the time of the frame alone: a run that is held has
-// streaks that stand, and the same moment has the same streaks.
+// where it passes near that middle. Its head at age a is where the mean wind of each place on its
+// way (profiles, jets) has brought the air of its start, so that heads follow from the time alone:
+// a run that is held has streaks that stand, and none jumps as gusts come and go or the playhead
+// moves. Its tail trails behind the head in the wind of the moment, which gusts turn and lengthen.
 #pragma once
 
 #include "base/airflow.h"
@@ -33,7 +33,7 @@ struct StreakView
 };
 
 // None below y = 0 and none where the air is calm.
-//     gust  m/s, of the moment, added everywhere
+//     gust  m/s, of the moment, the same everywhere
 //     time  s, of the frame
 std::vector<WindStreak> windStreaks(std::span<const Airflow> winds, const Vec3& gust, double time,
                                     const StreakView& view);
