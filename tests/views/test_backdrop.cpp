@@ -1,6 +1,7 @@
 // Sky, horizon and ground: where the horizon is seen, and which scenes have one.
 #include "camera/camera_projection.h"
 #include "layers/backdrop_layer.h"
+#include "layers/ground_layer.h"
 #include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
@@ -113,6 +114,51 @@ private slots:
         QCOMPARE(shown(20.0), 10.0);
         QCOMPARE(shown(186.0), 100.0);
         QCOMPARE(groundStep(0.0).fine > 0.0, true);
+    }
+
+    // The same on slopes: powers of ten, of which five to fifty reach from the middle to the rim.
+    void slopesHaveSquaresOfRoundMetres()
+    {
+        QCOMPARE(groundSquare(5.0), 1.0);
+        QCOMPARE(groundSquare(49.0), 1.0);
+        QCOMPARE(groundSquare(50.0), 10.0);
+        QCOMPARE(groundSquare(0.5), 0.1);
+    }
+
+    // Neighbours differ as the two colours of ground do, and each has one.
+    void slopesHaveSquaresOfTwoColours()
+    {
+        Scene scene = panelAbove(true);
+        const Vec3 normal = Vec3(0.3, 1.0, 0.0).normalized();
+        std::get<Collider>(*findItem(scene, Id{7})).normal = normal;
+        View view(scene);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        const Eigen::AlignedBox3d shown(Vec3(-1, 50, 0), Vec3(1, 51, 0));
+        const double side = groundSquare(groundRadius(shown));
+        const Vec3 first = (Vec3::UnitX() - normal.x() * normal).normalized();
+        const Vec3 second = first.cross(normal);
+        const Vec3 below = shown.center() - shown.center().dot(normal) * normal;
+        const auto middle = [&](double along, double across) {
+            const auto number = [&](const Vec3& axis) {
+                return std::floor(below.dot(axis) / side);
+            };
+            return Vec3((number(first) + along + 0.5) * side * first
+                        + (number(second) + across + 0.5) * side * second);
+        };
+        Camera camera;
+        camera.focus = middle(0, 0);
+        camera.distance = 6.0 * side;
+        camera.elevation = 0.9;
+        const QImage image = view.seenFrom(camera);
+        const CameraProjection projection(camera, size.width(), size.height());
+        const auto seen = [&](double along, double across) {
+            const auto place = projection(middle(along, across));
+            return image.pixelColor(int(place.x), int(place.y));
+        };
+        QVERIFY(difference(seen(0, 0), seen(1, 0)) > 3);
+        QVERIFY(difference(seen(0, 0), seen(0, 1)) > 3);
+        QVERIFY(difference(seen(0, 0), seen(1, 1)) <= 3);
     }
 
     // Without ground the backdrop is plain: the same wherever one looks.

@@ -94,9 +94,38 @@ private slots:
         QCOMPARE(seen.people.size(), std::size_t(1));
         QCOMPARE(seen.people[0].pose, Pose::Prone);
         // from the crown to the toes, which are stretched: longer than one stands
-        const double length = extent(seen.limbs(), Vec3::UnitX());
+        std::vector<Limb> body = seen.limbs();
+        std::erase_if(body, [](const Limb& limb) { return limb.fromRadius < 0.02; }); // the frame
+        const double length = extent(body, Vec3::UnitX());
         QVERIFY(length > 1.7 && length < 2.0);
-        QVERIFY(extent(seen.limbs(), Vec3::UnitY()) < 0.9);
+        QVERIFY(extent(body, Vec3::UnitY()) < 0.9);
+    }
+
+    // Wires meet at the foot of the control frame, 1.25 times as far below the keel as the pilot
+    // hangs: the middle of the bar is there, both hands are on it, and the strap reaches from the
+    // keel to the harness.
+    void pilotsHangInTheirControlFrame()
+    {
+        const double depth = 1.3;
+        const Seen seen(built("hang_glider", {{"pilot_depth", depth}}));
+        QCOMPARE(seen.people[0].bar.size(), std::size_t(1));
+        const Vec3 foot = seen.frame->position[std::size_t(seen.people[0].bar[0])];
+        QVERIFY(std::abs((foot - seen.held()).norm() - 0.25 * depth) < 1e-9);
+        const std::vector<Limb> limbs = seen.limbs();
+        const auto bar = std::ranges::find_if(limbs, [&](const Limb& limb) {
+            return limb.fromRadius < 0.02 && (0.5 * (limb.from + limb.to) - foot).norm() < 1e-9;
+        });
+        QVERIFY(bar != limbs.end());
+        int hands = 0;
+        for (const Limb& limb : limbs)
+            hands += limb.from == limb.to // a hand is a ball
+                     && (limb.from - foot).cross(bar->to - bar->from).norm() < 1e-9;
+        QCOMPARE(hands, 2);
+        const auto strap =
+            std::ranges::find_if(limbs, [](const Limb& limb) { return limb.fromRadius < 0.012; });
+        QVERIFY(strap != limbs.end());
+        QVERIFY((strap->to - seen.held()).norm() < 0.14); // on the harness
+        QVERIFY((strap->from - seen.held()).norm() > 0.8 * depth);
     }
 
     // It turns with its glider: half round, it faces the other way, and is as long.

@@ -1,10 +1,9 @@
-// rebuild() makes three actors for each plane: the disc, thin lines and bold lines, with depth
-// offsets that put the disc behind the shadow and the shadow behind the lines.
+// rebuild() makes three actors for each plane: the squares, thin lines and bold lines, with depth
+// offsets that put the squares behind the shadow and the shadow behind the lines.
 //
 // update() finds the place below the middle of what is shown, and returns at once when the disc is
-// still near enough. Otherwise it draws the disc (rings and spokes of points whose opacity fades
-// outwards) and the lines (multiples of a round step, cut to the disc, in pieces that fade as
-// well).
+// still near enough. Otherwise it draws the squares (of two colours in turn, whose corners fade
+// outwards) and the lines between them, cut to the disc, in pieces that fade as well.
 #include "layers/ground_layer.h"
 
 #include "layers/backdrop_layer.h"
@@ -12,16 +11,17 @@
 
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace ripstop {
 namespace {
 
-constexpr int squaresToRim = 20;
-constexpr int squaresPerBold = 5;
-constexpr int rings = 24;
-constexpr int spokes = 72;
+constexpr double fewestToRim = 5.0; // squares; at most ten times as many
+constexpr int squaresPerBold = 10;
+constexpr double opacityOfSquares = 0.92;
+constexpr double opacityOfLines = 0.55, opacityOfBoldLines = 0.6; // as in backdrop_shader.h
 
 using Rgba = std::array<std::uint8_t, 4>;
 
@@ -65,10 +65,11 @@ struct Actor
     }
 };
 
-// Opacity over the distance from the middle: 1 there, 0 at the rim, smooth at both ends.
+// Opacity over the distance from the middle: 1 within two fifths, 0 at the rim, smooth at both
+// ends.
 double fade(double share)
 {
-    const double t = std::clamp(1.0 - share, 0.0, 1.0);
+    const double t = std::clamp((1.0 - share) / 0.6, 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -78,6 +79,11 @@ double groundRadius(const Eigen::AlignedBox3d& bounds)
 {
     const double size = bounds.isEmpty() ? 10.0 : std::max(bounds.diagonal().norm(), 0.2);
     return roundedUp(2.0 * size);
+}
+
+double groundSquare(double radius)
+{
+    return std::pow(10.0, std::floor(std::log10(radius / fewestToRim) + 1e-9));
 }
 
 struct GroundLayer::Ground
@@ -90,13 +96,15 @@ struct GroundLayer::Ground
 
     double radius = 0.0; // m
     Vec3 centre = Vec3::Constant(1e300);
-    double step = 0.0; // m between lines
+    double step = 0.0; // m, side of a square
 
-    Actor disc, lines, boldLines;
+    Actor squares, lines, boldLines;
 
     void place(const Collider& collider, const Vec3& position);
-    void drawDisc(const Theme& theme);
+    void drawSquares(const Theme& theme);
     void drawLines(const Theme& theme);
+    std::pair<long long, long long> squaresAlong(const Vec3& axis) const;
+    void addSquare(Drawing& drawing, long long i, long long j, const QColor& color) const;
     void addLine(Drawing& drawing, const Vec3& along, const Vec3& across, double offset,
                  double opacity, const QColor& color) const;
 };
@@ -110,27 +118,40 @@ void GroundLayer::Ground::place(const Collider& plane, const Vec3& position)
     second = first.cross(normal);
 }
 
-void GroundLayer::Ground::drawDisc(const Theme& theme)
+// The numbers of the first and the last square that the disc reaches along an axis.
+std::pair<long long, long long> GroundLayer::Ground::squaresAlong(const Vec3& axis) const
+{
+    const double middle = centre.dot(axis);
+    return {std::llround(std::floor((middle - radius) / step)),
+            std::llround(std::floor((middle + radius) / step))};
+}
+
+// None where it lies beyond the rim.
+void GroundLayer::Ground::addSquare(Drawing& drawing, long long i, long long j,
+                                    const QColor& color) const
+{
+    const Vec3 near = (double(i) * step - centre.dot(first)) * first
+                      + (double(j) * step - centre.dot(second)) * second;
+    const std::array<Vec3, 4> corners{near, near + step * first, near + step * (first + second),
+                                      near + step * second};
+    if (std::ranges::all_of(corners, [&](const Vec3& one) { return one.norm() >= radius; }))
+        return;
+    drawing.cells->InsertNextCell(4);
+    for (const Vec3& corner : corners)
+        drawing.cells->InsertCellPoint(
+            drawing.add(centre + corner, color, opacityOfSquares * fade(corner.norm() / radius)));
+}
+
+void GroundLayer::Ground::drawSquares(const Theme& theme)
 {
     Drawing drawing;
-    const double opacity = 0.92;
-    drawing.add(centre, theme.ground, opacity);
-    for (int ring = 1; ring <= rings; ++ring)
-        for (int spoke = 0; spoke < spokes; ++spoke) {
-            const double share = double(ring) / rings;
-            const double angle = 2.0 * std::numbers::pi * spoke / spokes;
-            const Vec3 out = std::cos(angle) * first + std::sin(angle) * second;
-            drawing.add(centre + share * radius * out, theme.ground, opacity * fade(share));
-        }
-    const auto at = [](int ring, int spoke) { return 1 + (ring - 1) * spokes + spoke % spokes; };
-    for (int spoke = 0; spoke < spokes; ++spoke)
-        drawing.cells->InsertNextCell({0, at(1, spoke), at(1, spoke + 1)});
-    for (int ring = 1; ring < rings; ++ring)
-        for (int spoke = 0; spoke < spokes; ++spoke)
-            drawing.cells->InsertNextCell({at(ring, spoke), at(ring + 1, spoke),
-                                           at(ring + 1, spoke + 1), at(ring, spoke + 1)});
-    disc.show(drawing);
-    disc.data->SetPolys(drawing.cells);
+    const auto [firstI, lastI] = squaresAlong(first);
+    const auto [firstJ, lastJ] = squaresAlong(second);
+    for (long long i = firstI; i <= lastI; ++i)
+        for (long long j = firstJ; j <= lastJ; ++j)
+            addSquare(drawing, i, j, (i + j) % 2 == 0 ? theme.ground : theme.groundSquare);
+    squares.show(drawing);
+    squares.data->SetPolys(drawing.cells);
 }
 
 void GroundLayer::Ground::addLine(Drawing& drawing, const Vec3& along, const Vec3& across,
@@ -150,13 +171,13 @@ void GroundLayer::Ground::drawLines(const Theme& theme)
 {
     Drawing thin, bold;
     for (const auto& [along, across] : {std::pair(first, second), std::pair(second, first)}) {
-        const auto middle = std::llround(centre.dot(across) / step);
-        for (long long i = middle - squaresToRim; i <= middle + squaresToRim; ++i) {
+        const auto [from, to] = squaresAlong(across);
+        for (long long i = from + 1; i <= to; ++i) {
             const double offset = double(i) * step - centre.dot(across);
             if (i % squaresPerBold == 0)
-                addLine(bold, along, across, offset, 0.85, theme.groundLine);
+                addLine(bold, along, across, offset, opacityOfBoldLines, theme.groundLine);
             else
-                addLine(thin, along, across, offset, 0.40, theme.groundLine);
+                addLine(thin, along, across, offset, opacityOfLines, theme.groundLine);
         }
     }
     lines.show(thin);
@@ -169,14 +190,14 @@ void GroundLayer::setShown(bool shown)
 {
     m_shown = shown;
     for (const auto& ground : m_grounds)
-        for (Actor* actor : {&ground->disc, &ground->lines, &ground->boldLines})
+        for (Actor* actor : {&ground->squares, &ground->lines, &ground->boldLines})
             actor->actor->SetVisibility(shown);
 }
 
 void GroundLayer::rebuild(const Picture& picture)
 {
     for (const auto& ground : m_grounds)
-        for (Actor* actor : {&ground->disc, &ground->lines, &ground->boldLines})
+        for (Actor* actor : {&ground->squares, &ground->lines, &ground->boldLines})
             m_renderer->RemoveActor(actor->actor);
     m_grounds.clear();
 
@@ -194,11 +215,11 @@ void GroundLayer::add(Id collider, double pixelRatio)
 {
     auto ground = std::make_shared<Ground>();
     ground->collider = collider;
-    // the disc lies behind the shadow, the shadow behind the lines
-    ground->disc.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
+    // the squares lie behind the shadow, the shadow behind the lines
+    ground->squares.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
     ground->lines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);
     ground->boldLines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);
-    for (Actor* actor : {&ground->disc, &ground->lines, &ground->boldLines})
+    for (Actor* actor : {&ground->squares, &ground->lines, &ground->boldLines})
         m_renderer->AddActor(actor->actor);
     const auto width = float(pixelRatio);
     ground->lines.actor->GetProperty()->SetLineWidth(width);
@@ -221,8 +242,8 @@ void GroundLayer::update(const Picture& picture)
             continue;
         ground->radius = radius;
         ground->centre = below;
-        ground->step = roundedUp(0.8 * radius / squaresToRim);
-        ground->drawDisc(picture.theme);
+        ground->step = groundSquare(radius);
+        ground->drawSquares(picture.theme);
         ground->drawLines(picture.theme);
     }
 }

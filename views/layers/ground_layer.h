@@ -1,7 +1,7 @@
-// Planes that are not the ground of the backdrop (backdrop_layer.h), such as slopes: a disc with a
-// grid in round metres that fades out towards its rim.
+// Planes that are not the ground of the backdrop (backdrop_layer.h), such as slopes: squares of
+// 0.1, 1, 10 or 100 m in the colours of that ground, which fade out towards the rim of a disc.
 //
-// The disc is centred below what is shown and goes with it; its lines stay where they are in the
+// The disc is centred below what is shown and goes with it; its squares stay where they are in the
 // world, so that motion can be read against them. It is drawn anew only when it has to move by more
 // than a tenth of its radius or off its plane, or when its radius changes.
 #pragma once
@@ -35,5 +35,8 @@ private:
 
 // Metres from the middle of the disc to its rim, a round number well beyond what is shown.
 double groundRadius(const Eigen::AlignedBox3d& bounds);
+
+// m, the side of the squares of a disc: a power of ten.
+double groundSquare(double radius);
 
 } // namespace ripstop

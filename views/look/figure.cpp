@@ -27,6 +27,9 @@ constexpr double reach = 0.90 * (upperArm + forearm); // with an elbow that is n
 constexpr double headRadius = 0.088;                  // m
 constexpr double lowestHips = 0.25;                   // m
 constexpr double halfBar = 0.65;                      // m, to each side of the pilot
+constexpr double tubeRadius = 0.015;                  // m, of the control frame
+constexpr double strapRadius = 0.010;                 // m, that the pilot hangs by
+constexpr double harnessRadius = 0.135;               // m, round the hips
 constexpr double riser = 0.30; // m, from where lines meet to the shoulders of who hangs there
 
 // Where the joint of two segments is, bent towards `pole`; on the way when it is too far.
@@ -182,6 +185,24 @@ Vec3 upOf(const Person& person, const Frame& frame)
     return way.norm() > 1e-9 ? Vec3(way.normalized()) : Vec3::UnitY();
 }
 
+// The point of the keel, from its nose to its tail, that is nearest to a place.
+Vec3 onKeel(const Person& person, const Frame& frame, const Vec3& place)
+{
+    const Vec3 nose = frame.position[std::size_t(person.marks[0])];
+    const Vec3 keel = frame.position[std::size_t(person.marks[1])] - nose;
+    const double share = keel.dot(place - nose) / std::max(keel.squaredNorm(), 1e-9);
+    return nose + std::clamp(share, 0.0, 1.0) * keel;
+}
+
+// The strap from the keel to the harness, and the control frame: uprights to the ends of the bar,
+// in whose middle the wires meet.
+void addControlFrame(Body& body, const Vec3& hangPoint, const Vec3& back, const Vec3& bar)
+{
+    body.add(hangPoint, back, strapRadius, strapRadius);
+    for (const double side : {1.0, -1.0})
+        body.add(hangPoint, bar + side * halfBar * body.right, tubeRadius, tubeRadius);
+}
+
 // The middle of the body is where the weight is; it lies along the keel.
 std::vector<Limb> prone(const Person& person, const Frame& frame)
 {
@@ -192,20 +213,23 @@ std::vector<Limb> prone(const Person& person, const Frame& frame)
     const Vec3 chest = middle + (shoulders - 0.55 * tall) * body.ahead;
     const Vec3 pelvis = middle + (hips - 0.55 * tall) * body.ahead;
     body.addTrunk(chest, pelvis, body.ahead + 0.25 * body.up);
+    // the bar that they steer by, where the wires meet or before the chest
+    const Vec3 bar = person.bar.empty() ? Vec3(chest + 0.34 * body.ahead - 0.42 * body.up)
+                                        : meanOf(frame, person.bar);
     for (const double side : {1.0, -1.0}) {
         const Vec3 joint = chest + side * halfShoulders * body.right;
-        const Vec3 hand = joint + 0.34 * body.ahead - 0.42 * body.up + side * 0.08 * body.right;
+        const Vec3 hand = bar + side * (halfShoulders + 0.08) * body.right;
         body.addArm(joint, hand, side * body.right - 0.5 * body.ahead);
         const Vec3 hip = pelvis + side * halfHips * body.right;
         const Vec3 heel =
             hip - (thigh + shin - 0.01) * body.ahead - 0.04 * body.up - side * 0.04 * body.right;
         body.addLeg(hip, heel, -body.up, -body.ahead);
     }
-    // the bar that they steer by
-    const Vec3 bar = chest + 0.34 * body.ahead - 0.42 * body.up;
-    body.add(bar - halfBar * body.right, bar + halfBar * body.right, 0.015, 0.015);
+    body.add(bar - halfBar * body.right, bar + halfBar * body.right, tubeRadius, tubeRadius);
+    if (!person.bar.empty())
+        addControlFrame(body, onKeel(person, frame, middle), middle + harnessRadius * body.up, bar);
     // the harness holds the legs together
-    body.add(pelvis, pelvis - 0.9 * (thigh + shin) * body.ahead, 0.135, 0.085);
+    body.add(pelvis, pelvis - 0.9 * (thigh + shin) * body.ahead, harnessRadius, 0.085);
     return body.limbs;
 }
 
@@ -239,7 +263,7 @@ std::vector<Limb> limbsOf(const Person& person, const Frame& frame,
         return standing(shoulders * Vec3::UnitY(), 0.0, ahead, nullptr, nullptr);
     }
     if (!isPlace(frame, person.holds) || !isPlace(frame, person.towards)
-        || !isPlace(frame, person.marks))
+        || !isPlace(frame, person.marks) || !isPlace(frame, person.bar))
         return {};
     switch (person.pose) {
     case Pose::Standing:

@@ -17,6 +17,7 @@ constexpr double heaviest = 250.0; // kg
 constexpr std::size_t fewestLines = 3;
 constexpr double armsApart = 2.0;  // m, that two hands of one person may be, at most
 constexpr double samePlace = 1e-6; // m
+constexpr int fewestWires = 3;
 
 bool mayBeSomeone(const Particle& particle)
 {
@@ -107,7 +108,30 @@ std::vector<int> marksOf(const Ends& ends, const Part& part, const Vec3& ahead)
 Person hanging(Pose pose, const Ends& ends, Id weight, const Vec3& ahead)
 {
     const Ends::End& end = *ends.at(weight);
-    return {pose, ends.indices({weight}), ends.indices(end.lines), marksOf(ends, *end.part, ahead)};
+    return {
+        pose, ends.indices({weight}), ends.indices(end.lines), marksOf(ends, *end.part, ahead), {}};
+}
+
+// Off the fabric, where most of the wires meet that are seen and come from what carries this
+// weight.
+std::vector<Id> footBelow(const Scene& scene, const Ends::End& weight)
+{
+    const std::set<Id> carriers(weight.lines.begin(), weight.lines.end());
+    std::map<Id, int> wires;
+    for (const Link& link : weight.part->links) {
+        const Material* material = findItem<Material>(scene, link.material);
+        if (link.role != LinkRole::Line || !material || !material->shown)
+            continue;
+        for (const auto& [from, to] : {std::pair(link.from, link.to), {link.to, link.from}})
+            if (carriers.contains(from) && !carriers.contains(to) && to != weight.particle->id)
+                ++wires[to];
+    }
+    for (const Panel& panel : weight.part->panels)
+        for (const Id corner : {panel.a, panel.b, panel.c})
+            wires.erase(corner);
+    const auto foot = std::ranges::max_element(wires, {}, &std::pair<const Id, int>::second);
+    return foot == wires.end() || foot->second < fewestWires ? std::vector<Id>()
+                                                             : std::vector{foot->first};
 }
 
 bool isHand(const Ends::End* end) { return end && end->particle->pinned && !end->isFabric; }
@@ -150,7 +174,7 @@ void addHolders(const Scene& scene, const Ends& ends, std::vector<Person>& peopl
         std::vector<Id> others;
         for (const Id hand : held)
             others.push_back(ends.at(hand)->lines.front());
-        people.push_back({Pose::Standing, ends.indices(held), ends.indices(others), {}});
+        people.push_back({Pose::Standing, ends.indices(held), ends.indices(others), {}, {}});
     };
     if (mayShare(ends, hands))
         return add(hands);
@@ -170,8 +194,10 @@ void addPilots(const Scene& scene, const Ends& ends, std::vector<Person>& people
             if (!end || end->particle->pinned || !taken.insert(target).second)
                 continue;
             const Vec3 level = end->particle->velocity.cwiseProduct(Vec3(1.0, 0.0, 1.0));
-            people.push_back(
-                hanging(Pose::Prone, ends, target, level.norm() > 1.0 ? level : control->axis));
+            Person pilot =
+                hanging(Pose::Prone, ends, target, level.norm() > 1.0 ? level : control->axis);
+            pilot.bar = ends.indices(footBelow(scene, *end));
+            people.push_back(std::move(pilot));
         }
     }
 }

@@ -28,6 +28,8 @@ struct Person
     // Particles that lie farthest ahead, astern, on the left and on the right of what carries them:
     // they turn with it. Empty for who stands.
     std::vector<int> marks;
+    // Particle at which the wires below a wing meet, the foot of its control frame; or nothing.
+    std::vector<int> bar;
 };
 
 // Whether a scene has no part and no collider.
