@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 namespace ripstop {
@@ -112,11 +113,18 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs, Ed
         return fail(BadInput, opened.message());
     const bool isOptimised = opened->optimiser.has_value();
     const double most = double(Optimiser::most(opened->study.plan)); // of an optimisation
-    ProgressLine progress("study");
-    const auto flown = flyMissing(*opened, shard, jobs, interrupted, [&](const FlightNews& news) {
-        progress.show(isOptimised ? double(news.point) / most
-                                  : double(news.flown.tally.flown) / double(news.flown.planned));
-    });
+    std::optional<ProgressLine> progress("study");
+    const auto told = [&](const FlightNews& news) {
+        progress->show(isOptimised ? double(news.point) / most
+                                   : double(news.flown.tally.flown) / double(news.flown.planned));
+    };
+    const auto recorded = [&](std::size_t done, std::size_t wanted) {
+        if (done == 0) // the time that is left is told from the start of the line
+            progress.emplace("recording the best");
+        progress->show(double(done) / double(wanted));
+    };
+    const auto flown = flyMissing(*opened, shard, jobs, interrupted, told, recorded);
+    progress.reset();
     if (!flown)
         return fail(BadInput, flown.message());
     const StudyTally& tally = flown->tally;

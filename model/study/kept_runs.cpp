@@ -92,24 +92,28 @@ std::optional<RecordedFlight> readKeptRun(const OpenedStudy& opened, std::size_t
 }
 
 Result<std::vector<std::size_t>> settleBest(const OpenedStudy& opened, const StudyFlights& flights,
-                                            int jobs, const std::function<bool()>& isInterrupted)
+                                            int jobs, const std::function<bool()>& isInterrupted,
+                                            const ToldOfRecordings& told)
 {
     const std::vector<std::size_t> best = bestOf(opened, flights);
+    std::vector<std::size_t> missing = best;
+    std::erase_if(missing, [&](std::size_t point) { return isThere(keptRun(opened, point)); });
     std::optional<Failure> failure;
+    std::size_t done = 0;
     std::mutex mutex;
-    forEachOfMany(best.size(), jobs, [&](std::size_t i) {
-        const fs::path file = keptRun(opened, best[i]);
-        if (isThere(file))
-            return true;
-        const auto flown = flyRecorded(opened, best[i], isInterrupted);
+    if (!missing.empty())
+        told(done, missing.size());
+    forEachOfMany(missing.size(), jobs, [&](std::size_t i) {
+        const auto flown = flyRecorded(opened, missing[i], isInterrupted);
         if (!flown)
             return false;
-        if (!flown->recording)
-            return true;
-        const auto trouble = saveRecording(*flown->recording, file);
+        const auto trouble = flown->recording
+                                 ? saveRecording(*flown->recording, keptRun(opened, missing[i]))
+                                 : std::nullopt;
         const std::lock_guard lock(mutex);
         if (trouble && !failure)
             failure = *trouble;
+        told(++done, missing.size());
         return !failure;
     });
     if (failure)

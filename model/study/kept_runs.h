@@ -24,9 +24,10 @@ std::optional<RecordedFlight> readKeptRun(const OpenedStudy& opened, std::size_t
 
 // Of a study that keeps the best: makes those recordings that are not there, and removes those of
 // flights that were overtaken. Gives the points whose recordings are there, the best first: fewer
-// than the best when it was interrupted.
+// than the best when it was interrupted. `told` hears how far it is, one call at a time.
 Result<std::vector<std::size_t>> settleBest(const OpenedStudy& opened, const StudyFlights& flights,
-                                            int jobs, const std::function<bool()>& isInterrupted);
+                                            int jobs, const std::function<bool()>& isInterrupted,
+                                            const ToldOfRecordings& told);
 
 // The second half of that alone, for rows and recordings of many places that were brought together.
 // Gives the points of the best whose recordings are there.

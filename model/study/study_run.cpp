@@ -256,7 +256,8 @@ StudyTally tallyOf(const StudyFlights& flights)
 }
 
 Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int jobs,
-                              const std::function<bool()>& isInterrupted, const ToldOfFlight& told)
+                              const std::function<bool()>& isInterrupted, const ToldOfFlight& told,
+                              const ToldOfRecordings& recorded)
 {
     StudyFlown flown;
     OpenedStudy opened = study;   // its points may become more
@@ -277,7 +278,8 @@ Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int 
         if (count == 0) {
             if (opened.study.keep != KeptRuns::Best)
                 return flown;
-            auto best = settleBest(opened, flightsOf(opened, known->rows), jobs, isInterrupted);
+            auto best =
+                settleBest(opened, flightsOf(opened, known->rows), jobs, isInterrupted, recorded);
             if (!best)
                 return best.failure();
             flown.best = std::move(*best);

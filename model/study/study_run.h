@@ -88,10 +88,17 @@ struct FlightNews
 };
 using ToldOfFlight = std::function<void(const FlightNews&)>;
 
-// Flies what is missing of the shard, round after round where a plan finds out what it needs.
-// `told` hears of each flight once it is in the ledger, from the thread that flew it, one at a
-// time. Fails when a ledger cannot be read or written.
-Result<StudyFlown> flyMissing(const OpenedStudy& opened, const Shard& shard, int jobs,
-                              const std::function<bool()>& isInterrupted, const ToldOfFlight& told);
+// How many of the best flights have their recordings, of those that had none.
+using ToldOfRecordings = std::function<void(std::size_t done, std::size_t wanted)>;
+
+// Flies what is missing of the shard, round after round where a plan finds out what it needs, and
+// then those of the best again whose recordings the study keeps and does not have.
+// `told` hears of each flight once it is in the ledger, `recorded` before the first of the best and
+// after each; from the thread that flew it, one at a time. Fails when a ledger cannot be read or
+// written.
+Result<StudyFlown> flyMissing(
+    const OpenedStudy& opened, const Shard& shard, int jobs,
+    const std::function<bool()>& isInterrupted, const ToldOfFlight& told,
+    const ToldOfRecordings& recorded = [](std::size_t, std::size_t) {});
 
 } // namespace ripstop

@@ -9463,6 +9463,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
+        <source>%1 of the %2 best recorded</source>
+        <translation>%1 des %2 meilleurs enregistrés</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
         <source>%1 of up to %2 flown</source>
         <translation>%1 volés sur %2 au plus</translation>
     </message>
@@ -9509,6 +9514,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
         <location filename="study_panel.cpp"/>
         <source>Flying it again…</source>
         <translation>Nouveau vol…</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
+        <source>Flying the best again for their recordings…</source>
+        <translation>Nouveau vol des meilleurs pour leurs enregistrements…</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>

@@ -107,6 +107,7 @@ private:
 };
 
 using Points = std::vector<std::size_t>;
+using Heard = std::vector<std::pair<std::size_t, std::size_t>>;
 const QStringList bestHeights{"3", "2", "4"}; // in the order of their points
 
 } // namespace
@@ -125,6 +126,32 @@ private slots:
         QVERIFY(QFile::remove(QString::fromStdString(keptRun(fall.open(), 2).string())));
         QCOMPARE(fall.fly(), (Points{4, 2, 3}));
         QCOMPARE(fall.heightsKept(), bestHeights);
+    }
+
+    // It is told before the first and after each of those that are flown again, and an end between
+    // them leaves what there is.
+    void tellsHowFarTheRecordingIs()
+    {
+        const Fall fall;
+        Heard heard;
+        const auto nobody = [](const FlightNews&) {};
+        const auto hear = [&](std::size_t done, std::size_t wanted) {
+            heard.emplace_back(done, wanted);
+        };
+        const auto afterOne = [&] { return heard.size() >= 2; };
+        const auto ended = flyMissing(fall.open(), {}, 1, afterOne, nobody, hear);
+        QVERIFY(ended && ended->best);
+        QCOMPARE(*ended->best, (Points{4}));
+        QCOMPARE(heard, (Heard{{0, 3}, {1, 3}}));
+        heard.clear();
+        const auto goesOn = [] { return false; };
+        const auto done = flyMissing(fall.open(), {}, 1, goesOn, nobody, hear);
+        QVERIFY(done && done->best);
+        QCOMPARE(*done->best, (Points{4, 2, 3}));
+        QCOMPARE(heard, (Heard{{0, 2}, {1, 2}, {2, 2}}));
+        heard.clear();
+        QVERIFY(flyMissing(fall.open(), {}, 1, goesOn, nobody, hear)); // all are there
+        QCOMPARE(heard, Heard());
     }
 
     // The first shard has flown 1, 3 and 4; the 2 of the other overtakes the 1.

@@ -413,6 +413,13 @@ void StudyPanel::showState()
             tr("%1 of %2 flown again").arg(m_runner->done()).arg(m_runner->planned()));
         return m_state->setText(tr("Flying them again…"));
     }
+    const StudyRunner::Recorded best = m_runner->bestRecorded();
+    if (task == Task::Flying && best.wanted > 0) {
+        m_progress->setMaximum(int(best.wanted));
+        m_progress->setValue(int(best.done));
+        m_progress->setFormat(tr("%1 of the %2 best recorded").arg(best.done).arg(best.wanted));
+        return m_state->setText(tr("Flying the best again for their recordings…"));
+    }
     m_progress->setMaximum(task == Task::Opening || task == Task::Watching ? 0 : std::max(1, all));
     m_progress->setValue(int(tally.flown));
     m_progress->setFormat(isSearch      ? tr("%1 flown along the tear line").arg(tally.flown)

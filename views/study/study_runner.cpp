@@ -116,7 +116,11 @@ void StudyRunner::fly(int jobs)
             m_news.push_back({news.point, news.key, news.flight});
             m_newPlan = news.flown.planned;
         };
-        const auto flown = flyMissing(*study, {}, jobs, isStopped, tell);
+        const auto recorded = [this](std::size_t done, std::size_t wanted) {
+            const std::lock_guard lock(m_mutex);
+            m_newRecorded = {done, wanted};
+        };
+        const auto flown = flyMissing(*study, {}, jobs, isStopped, tell, recorded);
         if (!flown)
             return [this, why = flown.message()] { emit failed(why); };
         return [this] {
@@ -126,6 +130,7 @@ void StudyRunner::fly(int jobs)
     });
     m_planned = 0;
     m_done = 0;
+    m_bestRecorded = m_newRecorded = {};
     m_clock.start();
     m_tick.start();
 }
@@ -133,13 +138,16 @@ void StudyRunner::fly(int jobs)
 void StudyRunner::collect()
 {
     std::vector<Flown> news;
+    Recorded best;
     {
         const std::lock_guard lock(m_mutex);
         news.swap(m_news);
+        best = m_newRecorded;
         if (m_task == Task::Flying)
             m_planned = m_newPlan;
     }
     collectRecordings();
+    collectBest(best);
     if (news.empty())
         return;
     for (Flown& one : news) {
@@ -153,6 +161,16 @@ void StudyRunner::collect()
     }
     m_done += news.size();
     emit grew();
+}
+
+void StudyRunner::collectBest(Recorded best)
+{
+    if (m_task != Task::Flying || best == m_bestRecorded)
+        return;
+    if (m_bestRecorded.wanted == 0)
+        m_clock.restart(); // of what is left
+    m_bestRecorded = best;
+    emit recorded();
 }
 
 void StudyRunner::collectRecordings()
@@ -251,16 +269,19 @@ void StudyRunner::compare(const std::vector<std::size_t>& points, int jobs)
     });
     m_planned = count;
     m_done = 0;
+    m_bestRecorded = {};
     m_clock.start();
     m_tick.start();
 }
 
 double StudyRunner::secondsLeft() const
 {
-    if ((m_task != Task::Flying && m_task != Task::Comparing) || m_done == 0)
+    const auto [done, wanted] =
+        m_bestRecorded.wanted > 0 ? m_bestRecorded : Recorded{m_done, m_planned};
+    if ((m_task != Task::Flying && m_task != Task::Comparing) || done == 0)
         return std::numeric_limits<double>::quiet_NaN();
-    const double each = 1e-3 * double(m_clock.elapsed()) / double(m_done);
-    return each * double(m_planned - std::min(m_done, m_planned));
+    const double each = 1e-3 * double(m_clock.elapsed()) / double(done);
+    return each * double(wanted - std::min(done, wanted));
 }
 
 } // namespace ripstop

@@ -54,6 +54,16 @@ public:
     std::shared_ptr<const Kept> kept(std::size_t point) const; // null: it is not
     std::size_t planned() const { return m_planned; }          // flights of the task, and
     std::size_t done() const { return m_done; }                // how many of them are over
+    // While flying: of the best flights, which are flown again for their recordings once all others
+    // are over. None are wanted before that.
+    struct Recorded
+    {
+        std::size_t done = 0;
+        std::size_t wanted = 0;
+
+        bool operator==(const Recorded&) const = default;
+    };
+    Recorded bestRecorded() const { return m_bestRecorded; }
     double secondsLeft() const; // while flying, as far as can be told; else not a number
 
 signals:
@@ -62,7 +72,7 @@ signals:
     void ended(); // of what was under way, whatever came of it
     void failed(const ripstop::Message& why);
     void watched(std::size_t point); // kept() has it
-    void recorded();                 // one more of those that are compared
+    void recorded();                 // one more of those that are compared, or of the best
     void compared(const std::vector<std::size_t>& points);
 
 private:
@@ -86,14 +96,16 @@ private:
     std::optional<FlightResult> rowOf(std::size_t point) const;
     void collect();
     void collectRecordings();
+    void collectBest(Recorded best);
 
     std::shared_ptr<OpenedStudy> m_study; // the points of an optimisation become more
     LedgerRows m_rows;
     StudyFlights m_flights;
     Task m_task = Task::None;
-    int m_number = 0;               // of what was begun last
-    std::size_t m_planned = 0;      // since the flying began, as far as it is known
-    std::size_t m_done = 0;         // of those
+    int m_number = 0;          // of what was begun last
+    std::size_t m_planned = 0; // since the flying began, as far as it is known
+    std::size_t m_done = 0;    // of those
+    Recorded m_bestRecorded;
     QElapsedTimer m_clock;          // since it began
     QTimer m_tick;                  // while flying
     std::vector<FlownAgain> m_kept; // the newest last
@@ -102,7 +114,8 @@ private:
     std::vector<Flown> m_news; // of the threads that fly
     std::vector<FlownAgain> m_newKept;
     std::size_t m_newPlan = 0; // and how many they are to fly
-    std::jthread m_thread;     // last: it ends before what it uses
+    Recorded m_newRecorded;
+    std::jthread m_thread; // last: it ends before what it uses
 };
 
 } // namespace ripstop
