@@ -50,10 +50,10 @@ RIPSTOP_INLINE FourAirs fourAirs(const MaterialAir* airs, int i0, int i1, int i2
 RIPSTOP_RARE void blendAndLeak(const FourAirs& air, const Pack& through, Pack& pace)
 {
     const Pack blend = pace * pace / (pace + air.saturation * magnitude(through));
-    pace = (air.saturation != all(0.0)) & (pace > all(0.0)) ? blend : pace;
+    pace = ((air.saturation != all(0.0)) & (pace > all(0.0))) ? blend : pace;
     const Pack meets = root(magnitude(through));
     const Pack left = meets / (meets + air.porosity * root(air.coefficient * pace));
-    pace = (air.porosity > all(0.0)) & (through != all(0.0)) ? pace * left * left : pace;
+    pace = ((air.porosity > all(0.0)) & (through != all(0.0))) ? pace * left * left : pace;
 }
 
 // Loads by the formulas above, N; zero where there is no law, no area or no panel any more.

@@ -31,7 +31,7 @@ RIPSTOP_INLINE Pull pullOf(const SpringNumbers& spring, const Coordinates& separ
     if (any(onlyTension | onlyCompression)) {
         const Mask pulls = (stretch > all(0.0)) & (tension > all(0.0));
         const Mask pushes = (stretch < all(0.0)) & (tension < all(0.0));
-        tension = (onlyTension & ~pulls) | (onlyCompression & ~pushes) ? Pack{} : tension;
+        tension = ((onlyTension & ~pulls) | (onlyCompression & ~pushes)) ? Pack{} : tension;
     }
     const Mask hasDirection = length != all(0.0);
     return {hasDirection ? tension : Pack{}, hasDirection ? tension * perMetre : Pack{}};

@@ -70,7 +70,7 @@ struct Wrinkles
     RIPSTOP_INLINE Pack pull(const Peak& peak) const
     {
         const Pack along = strain(peak.u);
-        return peak.isThere & (along > all(0.0)) ? along * along / compliance(peak.u) : all(0.0);
+        return (peak.isThere & (along > all(0.0))) ? along * along / compliance(peak.u) : all(0.0);
     }
 
     // Positive where the pull grows with u.
@@ -127,7 +127,7 @@ RIPSTOP_INLINE Pack onlyPeak(const Wrinkles& at, Mask where)
         low = isBelow ? u : low;
         high = isBelow ? high : u;
         Pack next = u - value / at.riseOfSlope(u);
-        next = (next >= low) & (next <= high) ? next : all(0.5) * (low + high);
+        next = ((next >= low) & (next <= high)) ? next : all(0.5) * (low + high);
         const Pack way = magnitude(next - u);
         u = where ? next : u;
         where &= way > all(nearEnough) * u;
@@ -170,8 +170,8 @@ RIPSTOP_INLINE void addWrinkled(const ClothLawPack& law, const Coordinates& stra
     if (any(isOne)) {
         const Mask grows = fromWarp.slope(all(1.0)) > all(0.0);
         const Pack u = onlyPeak(select(grows, fromWeft, fromWarp), isOne);
-        weftPeak.u = isOne & grows ? u : weftPeak.u;
-        warpPeak.u = isOne & ~grows ? u : warpPeak.u;
+        weftPeak.u = (isOne & grows) ? u : weftPeak.u;
+        warpPeak.u = (isOne & ~grows) ? u : warpPeak.u;
         weftPeak.isThere |= isOne & grows;
         warpPeak.isThere |= isOne & ~grows;
     }
