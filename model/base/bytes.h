@@ -147,7 +147,7 @@ private:
     void put(const std::variant<T...>& value)
     {
         put(std::uint8_t(value.index()));
-        std::visit([this](const auto& held) { put(held); }, value);
+        std::visit([this](const auto& held) { this->put(held); }, value);
     }
     template <HasFields T>
     void put([[maybe_unused]] const T& value)

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <ranges>
 #include <set>
 
 namespace ripstop {
@@ -71,13 +70,15 @@ TearEvents tearEvents(std::span<const Tear> tears, const Layout& layout)
     std::map<std::uint32_t, std::vector<std::size_t>> breaks; // within whose reach a particle is
     for (std::size_t i = 0; i < tears.size(); ++i) {
         const Reach& reach = reaches.at(tears[i].element);
-        for (const std::uint32_t particle : reach.own)
-            for (const std::size_t before : breaks[particle] | std::views::reverse) {
-                if (tears[i].time - tears[before].time > TearEvent::pause)
+        for (const std::uint32_t particle : reach.own) {
+            const std::vector<std::size_t>& there = breaks[particle]; // from the newest on
+            for (auto before = there.rbegin(); before != there.rend(); ++before) {
+                if (tears[i].time - tears[*before].time > TearEvent::pause)
                     break;
-                const std::size_t a = rootOf(before), b = rootOf(i);
+                const std::size_t a = rootOf(*before), b = rootOf(i);
                 root[std::max(a, b)] = std::min(a, b);
             }
+        }
         for (const std::uint32_t particle : reach.tied)
             breaks[particle].push_back(i);
     }
