@@ -1,8 +1,9 @@
-# Makes a C++ source that tells the commit which is built, and leaves it alone where it is the same:
+# Makes a C++ source that tells the version and the commit which are built, and leaves it alone where
+# they are the same:
 #
-#     cmake -DFOLDER=REPOSITORY -DSOURCE=FILE -P embed_commit.cmake
+#     cmake -DFOLDER=REPOSITORY -DSOURCE=FILE -DVERSION=0.2.0 -P embed_commit.cmake
 #
-# It defines `std::string_view ripstop::buildCommit()`.
+# It defines `ripstop::releaseVersion()` and `ripstop::buildCommit()`.
 set(commit "")
 find_package(Git QUIET)
 if(GIT_FOUND AND EXISTS "${FOLDER}/.git")
@@ -11,6 +12,8 @@ if(GIT_FOUND AND EXISTS "${FOLDER}/.git")
 endif()
 file(CONFIGURE OUTPUT "${SOURCE}" @ONLY CONTENT [[
 #include "base/program_version.h"
+
+std::string_view ripstop::releaseVersion() { return "@VERSION@"; }
 
 std::string_view ripstop::buildCommit() { return "@commit@"; }
 ]])

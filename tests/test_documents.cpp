@@ -1,5 +1,5 @@
 // The pages that people read: every path, task of ./dev and command of ripstop-cli that they name
-// exists, so that a page cannot go on about a tree that has moved.
+// exists, so that a page cannot go on about a tree that has moved; and all say the same version.
 #include "registered_test.h"
 
 #include <QtTest>
@@ -213,6 +213,26 @@ private slots:
         const QString contents = textOf(inTree("resources/manual/mkdocs.yml"));
         for (const QString& page : pages())
             QVERIFY2(contents.contains(": " + page + '\n'), qPrintable(page));
+    }
+
+    // The version stands in CMakeLists.txt; programs have it from there. What people cite, and the
+    // newest heading of the changelog, have it with its day.
+    void allSayTheSameVersion()
+    {
+        const auto firstIn = [](const char* file, const char* pattern) {
+            const QRegularExpression line(pattern, QRegularExpression::MultilineOption);
+            const auto found = matchesIn(textOf(inTree(file)), line);
+            return found.isEmpty() ? QString() : found.front().word;
+        };
+        const QString version = firstIn("CMakeLists.txt", R"(^project\(Ripstop VERSION ([\d.]+))");
+        QVERIFY(!version.isEmpty());
+        QCOMPARE(firstIn("CITATION.cff", R"(^version: (\S+)$)"), version);
+        const QString day = firstIn("CITATION.cff", R"(^date-released: (\S+)$)");
+        QCOMPARE(firstIn("CHANGELOG.md", "^## (.+)$"), version + ", " + day);
+        QProcess program;
+        program.start(CLI_PROGRAM, {"--version"});
+        QVERIFY(program.waitForFinished());
+        QVERIFY(program.readAllStandardOutput().contains(version.toUtf8()));
     }
 
     void tasks_data() { eachPage(); }

@@ -5,6 +5,7 @@
 // it. What the engine refuses is raised as ripstop.Error with the engine's sentence. A simulation
 // and its hash are those of ripstop-cli, to the bit.
 #include "base/hash_text.h"
+#include "base/program_version.h"
 #include "builders/typed_parameters.h"
 #include "compile/compile.h"
 #include "io/recording_file.h"
@@ -314,7 +315,7 @@ std::size_t runStudy(const OpenedStudy& opened, int jobs)
 PYBIND11_MODULE(_engine, module)
 {
     module.doc() = "The engine of Ripstop: fabric that flies.";
-    module.attr("__version__") = RIPSTOP_VERSION;
+    module.attr("__version__") = std::string(releaseVersion());
     py::register_exception<Error>(module, "Error", PyExc_ValueError);
     const auto unlocked = py::call_guard<py::gil_scoped_release>();
 

@@ -6,16 +6,18 @@
 
 namespace ripstop {
 
+// "0.2.0", as CMakeLists.txt has it. The build makes it (scripts/embed_commit.cmake), and the next.
+std::string_view releaseVersion();
+
 // The commit that the program was built from, "1cad645", with a "+" behind it where something was
-// changed since; empty where it was not built in a repository. The build makes it
-// (scripts/embed_commit.cmake).
+// changed since; empty where it was not built in a repository.
 std::string_view buildCommit();
 
-// "0.1.0 (1cad645)", or "0.1.0".
+// "0.2.0 (1cad645)", or "0.2.0".
 inline std::string programVersion()
 {
-    const std::string commit(buildCommit());
-    return commit.empty() ? RIPSTOP_VERSION : RIPSTOP_VERSION " (" + commit + ")";
+    const std::string version(releaseVersion()), commit(buildCommit());
+    return commit.empty() ? version : version + " (" + commit + ")";
 }
 
 } // namespace ripstop

@@ -9,6 +9,7 @@
 // the figure into its place.
 #include "export/curve_figure.h"
 
+#include "base/program_version.h"
 #include "export/output_files.h"
 #include "io/csv.h"
 
@@ -212,7 +213,9 @@ private:
                           + " " + pixels(height) + "\" width=\"" + pixels(width) + "\" height=\""
                           + pixels(height)
                           + "\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                            "<title>Ripstop " RIPSTOP_VERSION "</title>\n"
+                            "<title>Ripstop "
+                          + std::string(releaseVersion())
+                          + "</title>\n"
                             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
         Axis time;
         time.take(m_time.front());

@@ -2,6 +2,7 @@
 // animation that blends them, and last materials, node and scene.
 #include "export/gltf.h"
 
+#include "base/program_version.h"
 #include "export/moment.h"
 #include "export/spooled_sink.h"
 #include "io/whole_file.h"
@@ -260,7 +261,7 @@ void complete(Builder& builder, tinygltf::Mesh mesh, const Surface& surface)
     tinygltf::Model& model = builder.model();
     addMaterials(builder, surface);
     model.asset.version = "2.0";
-    model.asset.generator = "Ripstop " RIPSTOP_VERSION;
+    model.asset.generator = "Ripstop " + std::string(releaseVersion());
     tinygltf::Node node;
     node.name = surface.name;
     node.mesh = 0;

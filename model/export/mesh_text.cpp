@@ -7,6 +7,7 @@
 // still stand. Then come particles with velocities, panels, and links with strain and tension.
 #include "export/moment.h"
 
+#include "base/program_version.h"
 #include "export/standing.h"
 #include "io/json_text.h"
 
@@ -54,7 +55,7 @@ void appendTexture(std::string& text, const std::vector<MeshAppearance::TextureP
 
 std::string title(const Frame& frame)
 {
-    std::string text = "Ripstop " RIPSTOP_VERSION ", t = ";
+    std::string text = "Ripstop " + std::string(releaseVersion()) + ", t = ";
     appendNumber(text, frame.time);
     return text + " s; metres, y up";
 }
@@ -63,7 +64,7 @@ std::string title(const Frame& frame)
 
 std::string objText(const Surface& surface)
 {
-    std::string text = "# Ripstop " RIPSTOP_VERSION "; metres, y up\n";
+    std::string text = "# Ripstop " + std::string(releaseVersion()) + "; metres, y up\n";
     for (const Vec3& position : surface.position)
         appendRow(text, "v ", position);
     appendTexture(text, surface.texture);
