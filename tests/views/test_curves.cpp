@@ -82,6 +82,26 @@ private slots:
         QVERIFY(std::abs(found.frequency.back() - 0.5 / step) < 0.1); // half of the rate
     }
 
+    // 20011 is a prime number, of which a plain transform takes 4e8 steps each time it is drawn;
+    // the next number without prime factors above 5 is 20000.
+    void spectrumOfManySamples()
+    {
+        constexpr double step = 0.01; // s
+        // a line of the transform, between which the window would weaken it
+        constexpr double frequency = 400.0 / (20010 * step * 20000.0 / 19999.0); // Hz
+        std::vector<double> time;
+        std::vector<double> value;
+        for (int i = 0; i < 20011; ++i) {
+            time.push_back(step * i);
+            value.push_back(3.0 * std::sin(2.0 * std::numbers::pi * frequency * time.back()));
+        }
+        const Spectrum found = spectrumOf(time, value);
+        QCOMPARE(found.frequency.size(), std::size_t(10000));
+        const auto peak = std::ranges::max_element(found.amplitude) - found.amplitude.begin();
+        QVERIFY(std::abs(found.frequency[std::size_t(peak)] - frequency) < 1e-9);
+        QVERIFY(std::abs(found.amplitude[std::size_t(peak)] - 3.0) < 0.03);
+    }
+
     void spectrumOfTooLittle()
     {
         const double nothing = std::nan("");

@@ -30,17 +30,32 @@ Samples numbersOf(std::span<const double> time, std::span<const double> values)
     return samples;
 }
 
-// The samples at equal steps, interpolated in straight lines.
-std::vector<double> evened(const Samples& samples)
+// The most samples, but not more than `most`, whose transform is quick: a number without prime
+// factors above 5. A transform of a prime number of samples takes its square of steps, seconds for
+// the samples of a minute.
+std::size_t quickCount(std::size_t most)
 {
-    const std::size_t count = samples.time.size();
+    for (std::size_t count = most;; --count) {
+        std::size_t rest = count;
+        for (const std::size_t factor : {2, 3, 5})
+            while (rest % factor == 0)
+                rest /= factor;
+        if (rest == 1)
+            return count;
+    }
+}
+
+// The samples at `count` equal steps, interpolated in straight lines.
+std::vector<double> evened(const Samples& samples, std::size_t count)
+{
+    const std::size_t all = samples.time.size();
     const double first = samples.time.front();
     const double step = (samples.time.back() - first) / double(count - 1);
     std::vector<double> even;
     std::size_t next = 1;
     for (std::size_t i = 0; i < count; ++i) {
         const double time = first + double(i) * step;
-        while (next + 1 < count && samples.time[next] < time)
+        while (next + 1 < all && samples.time[next] < time)
             ++next;
         const double width = samples.time[next] - samples.time[next - 1];
         const double share = width > 0.0 ? (time - samples.time[next - 1]) / width : 1.0;
@@ -57,8 +72,8 @@ Spectrum spectrumOf(std::span<const double> time, std::span<const double> values
     const Samples samples = numbersOf(time, values);
     if (samples.time.size() < fewest || !(samples.time.back() > samples.time.front()))
         return {};
-    std::vector<double> even = evened(samples);
-    const std::size_t count = even.size();
+    const std::size_t count = quickCount(samples.time.size());
+    std::vector<double> even = evened(samples, count);
     double mean = 0.0;
     for (const double value : even)
         mean += value / double(count);

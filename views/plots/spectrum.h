@@ -18,8 +18,9 @@ struct Spectrum
 };
 
 // The spectrum of `values` [samples] at the times `time` [samples], s, ascending. The steps need
-// not be equal: the grid is as fine as the mean step, from the first to the last sample that is a
-// number. It is empty for fewer than 16 samples that are numbers.
+// not be equal: the grid is as fine as the mean step or a little coarser, so that the transform is
+// quick, from the first to the last sample that is a number. It is empty for fewer than 16 samples
+// that are numbers.
 Spectrum spectrumOf(std::span<const double> time, std::span<const double> values);
 
 } // namespace ripstop
