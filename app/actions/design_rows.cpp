@@ -224,6 +224,8 @@ MenuRows designRows(const Workbench& bench)
         {"&Design/Mate&rial", "heavier", tr("&Heavier"), nullptr, {}, tr("The next heavier material of the library for what is selected; masses follow."), step(MaterialStep::Heavier), no, nullptr, some},
         {"&Design/Mate&rial", "softer", tr("&Softer"), nullptr, {}, tr("The next softer material of the library for what is selected, by E t, EA or EI; masses follow."), step(MaterialStep::Softer), no, nullptr, some},
         {"&Design/Mate&rial", "stiffer", tr("S&tiffer"), nullptr, {}, tr("The next stiffer material of the library for what is selected, by E t, EA or EI; masses follow."), step(MaterialStep::Stiffer), no, nullptr, some},
+        {"&Design/Mate&rial", "weaker", tr("&Weaker"), nullptr, {}, tr("The next weaker material of the library for what is selected; masses follow."), step(MaterialStep::Weaker), no, nullptr, some},
+        {"&Design/Mate&rial", "stronger", tr("Str&onger"), nullptr, {}, tr("The next stronger material of the library for what is selected, by what it can bear; masses follow."), step(MaterialStep::Stronger), no, nullptr, some},
         {"&Design", "mass",   tr("M&ass…"),        nullptr,  QKeySequence("Ctrl+Shift+M"), tr("Give the selected particles mass: each, by length, by area, or a total to share."), operation("mass"), no, nullptr, some},
     };
     // clang-format on

@@ -33,6 +33,7 @@ MenuRows fileRows(const Workbench& bench)
         {"&File", "openRun", tr("Open reco&rding…"), nullptr, QKeySequence("Ctrl+Alt+O"), tr("Look at a run that was saved, compare with it, or go on from it."), [&runFiles] { runFiles.browse(); }},
         {"&File", "saveRun", tr("Sa&ve recording…"), nullptr, QKeySequence("Ctrl+Alt+S"), tr("Save the run that the timeline shows, every step of it."), [&runFiles] { runFiles.save(); }},
         {"&File", "export",     tr("&Export…"),            "export",  QKeySequence("Ctrl+E"), tr("Meshes for Blender, series for ParaView, tables of the probes and of what has torn."), [&files, &recordings = bench.recordings] { files.exportRun(recordings); }},
+        {"&File", "film",       tr("Save &film…"),         nullptr,   {},                     tr("The flight of the timeline as a film, MP4, WebM or GIF, seen as in the 3D view."), [&files, &recordings = bench.recordings] { files.saveFilm(recordings); }},
         {"&File", "picture",    tr("Save &picture…"),      "picture", QKeySequence("Ctrl+P"), tr("The 3D view as PNG, JPEG, SVG or PDF, large enough for a paper, on sky, white or nothing."), [&files] { files.savePicture(); }},
         line,
         {"&File", "quit",       tr("&Quit"),               "quit",    QKeySequence::Quit,   tr("Leave Ripstop."), [&window] { window.close(); }},

@@ -17,6 +17,7 @@
 #include "files/files.h"
 #include "files/templates.h"
 #include "icons/icon.h"
+#include "outline/outline.h"
 #include "tools/pointing.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
@@ -62,6 +63,7 @@ Menus::Menus(const Workbench& bench)
         for (const MenuRow& row : rows(*m_bench))
             add(row);
     addFilled();
+    bench.docks.panel<Outline>().setPartActions({bench.actions["parameters"]});
     giveMnemonics(bench.window.menuBar()->actions());
     keepMnemonics(bench.window.menuBar()->actions());
 

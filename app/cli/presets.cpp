@@ -202,8 +202,8 @@ void addPresets(CLI::App& app, Command& chosen)
     command
         ->add_option("--step", options->step,
                      "Give the materials the next one of the library: by weight or by stiffness")
-        ->check(CLI::IsMember({"lighter", "heavier", "softer", "stiffer"}))
-        ->type_name("lighter|heavier|softer|stiffer");
+        ->check(CLI::IsMember({"lighter", "heavier", "softer", "stiffer", "weaker", "stronger"}))
+        ->type_name("lighter|heavier|softer|stiffer|weaker|stronger");
     command->add_option("--material", options->materials, "Name of a material; may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);

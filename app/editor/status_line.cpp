@@ -19,6 +19,8 @@
 #include <QLabel>
 #include <QStatusBar>
 
+#include <utility>
+
 namespace ripstop {
 
 StatusLine::StatusLine(QStatusBar& bar, Document& document, Selection& selection, Player& player)
@@ -50,9 +52,24 @@ void StatusLine::follow(const Recordings& recordings)
 {
     hear(recordings);
     connect(&recordings, &Recordings::failed, this, [this](const QString& why) { say(why); });
+    connect(&recordings, &Recordings::grew, this, [&, this] { tellTears(recordings); });
     connect(&recordings, &Recordings::reached, this, [this](const RunEvent& one, int more) {
         say(describe(one, m_document.scene(), more));
     });
+}
+
+void StatusLine::tellTears(const Recordings& recordings)
+{
+    const auto& recording = recordings.current();
+    if (!recording || !m_player.frame() || m_player.frame()->run != recording->run())
+        return;
+    if (std::exchange(m_watched, recording->run()) != recording->run())
+        m_told = 0;
+    std::vector<RunEvent> tears = recording->events();
+    std::erase_if(tears, [](const RunEvent& one) { return one.kind != RunEvent::Kind::Tear; });
+    if (tears.size() > m_told)
+        say(describe(tears[m_told], m_document.scene()), read);
+    m_told = tears.size();
 }
 
 void StatusLine::follow(Viewport& viewport)

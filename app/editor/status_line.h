@@ -1,5 +1,6 @@
 // The status bar: at the left what has just been done, or what is under the mouse; at the right
-// what is selected and how much the scene has.
+// what is selected and how much the scene has. That something has torn in the flight is said as it
+// happens, because it may be too small to be seen, or behind what is in front.
 //
 // Objects with a signal said() are connected by hear(); all others call say(). It lives on the
 // thread of the window.
@@ -11,6 +12,7 @@
 #include <QString>
 #include <QTimer>
 
+#include <cstdint>
 #include <vector>
 
 class QLabel;
@@ -45,6 +47,7 @@ public:
     void follow(Viewport& viewport); // shows what the mouse is on
 
 private:
+    void tellTears(const Recordings& recordings);
     void showCounts();
     void showSelected();
     void showHovered(Id id);
@@ -56,7 +59,9 @@ private:
     Player& m_player;
     QLabel* m_selected;
     QLabel* m_counts;
-    QTimer m_selectedSoon; // counts what is selected
+    std::uint64_t m_watched = 0; // the run whose tears have been told
+    std::size_t m_told = 0;      // how many of them
+    QTimer m_selectedSoon;       // counts what is selected
 };
 
 } // namespace ripstop

@@ -11,6 +11,7 @@
 #include "document/recordings.h"
 #include "document/words.h"
 #include "files/export_dialog.h"
+#include "files/film.h"
 #include "files/picture_dialog.h"
 #include "files/templates.h"
 #include "io/scene_file.h"
@@ -194,7 +195,14 @@ bool Files::write(const QString& file)
     return true;
 }
 
-void Files::exportRun(const Recordings& recordings)
+void Files::exportRun(const Recordings& recordings) { exportAs(m_exported, recordings); }
+
+void Files::saveFilm(const Recordings& recordings)
+{
+    exportAs(QString::fromUtf8(filmFormats().front().ending), recordings);
+}
+
+void Files::exportAs(const QString& ending, const Recordings& recordings)
 {
     const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
         m_viewport.show(frame);
@@ -214,7 +222,7 @@ void Files::exportRun(const Recordings& recordings)
         if (m_player.frame())
             m_viewport.show(m_player.frame()); // a film has left its last picture
     });
-    dialog.choose(m_exported);
+    dialog.choose(ending);
     const int answer = dialog.exec();
     m_exported = dialog.ending();
     if (answer == QDialog::Accepted)

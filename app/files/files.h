@@ -39,6 +39,7 @@ public:
     void saveAsTemplate();
     void startFromTemplate(const QString& file);
     void exportRun(const Recordings& recordings);
+    void saveFilm(const Recordings& recordings); // the same, with a film chosen
     void savePicture();
     bool mayDiscard(); // asks to save when there are changes
 
@@ -58,6 +59,7 @@ private:
     bool write(const QString& file);
     bool mayOverwrite();
     void remember(const QString& file);
+    void exportAs(const QString& ending, const Recordings& recordings);
     QString suggestedFile(const QString& extension) const;
 
     Document& m_document;

@@ -14,14 +14,28 @@
 namespace ripstop {
 namespace {
 
-bool isOfWeight(MaterialStep step)
+enum class Measure { Weight, Stiffness, Strength };
+
+Measure measureOf(MaterialStep step)
 {
-    return step == MaterialStep::Lighter || step == MaterialStep::Heavier;
+    switch (step) {
+    case MaterialStep::Lighter:
+    case MaterialStep::Heavier:
+        return Measure::Weight;
+    case MaterialStep::Softer:
+    case MaterialStep::Stiffer:
+        return Measure::Stiffness;
+    case MaterialStep::Weaker:
+    case MaterialStep::Stronger:
+        break;
+    }
+    return Measure::Strength;
 }
 
 bool isUpwards(MaterialStep step)
 {
-    return step == MaterialStep::Heavier || step == MaterialStep::Stiffer;
+    return step == MaterialStep::Heavier || step == MaterialStep::Stiffer
+           || step == MaterialStep::Stronger;
 }
 
 const Property& weightProperty(PresetKind kind)
@@ -76,6 +90,16 @@ std::optional<double> numberOf(const Preset& preset, const Property& property)
     return number ? positive(number->value) : std::nullopt;
 }
 
+// What it bears is less than its strength by what seams and knots leave of it.
+template <typename Kind>
+std::optional<double> measured(const Kind& kind, const Property& property, Measure measure)
+{
+    const auto number = numberOf(kind, property);
+    if (!number || measure != Measure::Strength)
+        return number;
+    return *number * numberOf(kind, propertyOf<&Material::jointEfficiency>()).value_or(1.0);
+}
+
 Failure noneBeyond(MaterialStep step, const std::string& name)
 {
     switch (step) {
@@ -86,21 +110,33 @@ Failure noneBeyond(MaterialStep step, const std::string& name)
     case MaterialStep::Softer:
         return Failure("The library has nothing softer than %1 that is known as well.", name);
     case MaterialStep::Stiffer:
+        return Failure("The library has nothing stiffer than %1 that is known as well.", name);
+    case MaterialStep::Weaker:
+        return Failure("The library has nothing weaker than %1 that is known as well.", name);
+    case MaterialStep::Stronger:
         break;
     }
-    return Failure("The library has nothing stiffer than %1 that is known as well.", name);
+    return Failure("The library has nothing stronger than %1 that is known as well.", name);
 }
 
 // A bare material may be of anything, so that the number is not named.
 Failure notMeasured(MaterialStep step, const std::string& name)
 {
-    return isOfWeight(step)
-               ? Failure("%1 has no density from which a step could be made: choose a material of "
-                         "the library for it first.",
-                         name)
-               : Failure("%1 has no stiffness from which a step could be made: choose a material "
-                         "of the library for it first.",
-                         name);
+    switch (measureOf(step)) {
+    case Measure::Weight:
+        return Failure("%1 has no density from which a step could be made: choose a material of "
+                       "the library for it first.",
+                       name);
+    case Measure::Stiffness:
+        return Failure("%1 has no stiffness from which a step could be made: choose a material "
+                       "of the library for it first.",
+                       name);
+    case Measure::Strength:
+        break;
+    }
+    return Failure("%1 has no strength from which a step could be made: choose a material of the "
+                   "library for it first.",
+                   name);
 }
 
 Message changeOf(const Property& property, double before, double after)
@@ -122,17 +158,21 @@ Message labelOf(MaterialStep step, const Preset& preset)
     case MaterialStep::Softer:
         return Message("Softer: %1", name);
     case MaterialStep::Stiffer:
+        return Message("Stiffer: %1", name);
+    case MaterialStep::Weaker:
+        return Message("Weaker: %1", name);
+    case MaterialStep::Stronger:
         break;
     }
-    return Message("Stiffer: %1", name);
+    return Message("Stronger: %1", name);
 }
 
 } // namespace
 
 std::string_view materialStepName(MaterialStep step)
 {
-    constexpr std::array<std::string_view, materialStepCount> names{"lighter", "heavier", "softer",
-                                                                    "stiffer"};
+    constexpr std::array<std::string_view, materialStepCount> names{
+        "lighter", "heavier", "softer", "stiffer", "weaker", "stronger"};
     return names[std::size_t(step)];
 }
 
@@ -142,9 +182,10 @@ Result<const Preset*> neighbour(const Material& material, MaterialStep step,
     const PresetKind kind = presetKindOf(material, own);
     const std::array<const Property*, 3> known{&weightProperty(kind), &stiffnessProperty(kind),
                                                &strengthProperty(kind)};
-    const Property& measure = *known[isOfWeight(step) ? 0 : 1];
-    const Property& other = *known[isOfWeight(step) ? 1 : 0];
-    const auto now = numberOf(material, measure);
+    const Measure measure = measureOf(step);
+    const Property& property = *known[std::size_t(measure)];
+    const Property& other = *known[measure == Measure::Weight ? 1 : 0];
+    const auto now = measured(material, property, measure);
     if (!now)
         return notMeasured(step, material.name);
     const double sign = isUpwards(step) ? 1.0 : -1.0;
@@ -156,9 +197,9 @@ Result<const Preset*> neighbour(const Material& material, MaterialStep step,
     std::pair<double, double> best{std::numeric_limits<double>::infinity(), 0.0};
     for (const std::span<const Preset> presets : {allPresets(), own})
         for (const Preset& preset : presets) {
-            const auto number = numberOf(preset, measure);
-            const bool knowsLess = std::ranges::any_of(known, [&](const Property* property) {
-                return numberOf(material, *property) && !numberOf(preset, *property);
+            const auto number = measured(preset, property, measure);
+            const bool knowsLess = std::ranges::any_of(known, [&](const Property* one) {
+                return numberOf(material, *one) && !numberOf(preset, *one);
             });
             if (!isOfOneFamily(preset.kind, kind) || knowsLess || !number
                 || sign * (*number - *now) <= 0.0)
@@ -181,7 +222,8 @@ std::vector<Message> changesBy(const Preset& preset, const Material& before)
          {&propertyOf<&Material::arealDensity>(), &propertyOf<&Material::linearDensity>(),
           &propertyOf<&Material::membraneStiffness>(), &propertyOf<&Material::axialStiffness>(),
           &propertyOf<&Material::flexuralRigidity>(), &propertyOf<&Material::warpStrength>(),
-          &propertyOf<&Material::lineStrength>(), &propertyOf<&Material::breakingMoment>()}) {
+          &propertyOf<&Material::lineStrength>(), &propertyOf<&Material::breakingMoment>(),
+          &propertyOf<&Material::jointEfficiency>()}) {
         const auto old = numberOf(before, *property), now = numberOf(preset, *property);
         if (old && now && *old != *now)
             changes.push_back(changeOf(*property, *old, *now));

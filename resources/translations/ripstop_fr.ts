@@ -1095,6 +1095,11 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>&amp;Weaker</source>
+        <translation>Moins &amp;résistant</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>Add the other half of what is selected, in one piece with it.</source>
         <translation>Ajouter l’autre moitié de la sélection, d’un seul tenant avec elle.</translation>
     </message>
@@ -1330,6 +1335,11 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>Str&amp;onger</source>
+        <translation>Plus rés&amp;istant</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>T&amp;hreads to panels…</source>
         <translation>&amp;Fils en panneaux…</translation>
     </message>
@@ -1357,6 +1367,16 @@
         <location filename="design_rows.cpp"/>
         <source>The next stiffer material of the library for what is selected, by E t, EA or EI; masses follow.</source>
         <translation>Le matériau suivant, plus raide, de la bibliothèque pour ce qui est sélectionné, selon E t, EA ou EI ; les masses suivent.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>The next stronger material of the library for what is selected, by what it can bear; masses follow.</source>
+        <translation>Le matériau suivant, plus résistant, de la bibliothèque pour ce qui est sélectionné, selon ce qu’il supporte ; les masses suivent.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>The next weaker material of the library for what is selected; masses follow.</source>
+        <translation>Le matériau suivant, moins résistant, de la bibliothèque pour ce qui est sélectionné ; les masses suivent.</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -2070,8 +2090,13 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
-        <source>%1 links tore, link %2 first</source>
-        <translation>%1 liaisons ont cédé, d'abord la liaison %2</translation>
+        <source>%1 places tore, the first is %2</source>
+        <translation>déchirure en %1 endroits, d’abord : %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>%1 tore</source>
+        <translation>déchirure : %1</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
@@ -2087,21 +2112,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="event_words.cpp"/>
         <source>a control was moved</source>
         <translation>une commande a été déplacée</translation>
-    </message>
-    <message>
-        <location filename="event_words.cpp"/>
-        <source>it tore at %1 places, panel %2 first</source>
-        <translation>déchirures en %1 endroits, d'abord le panneau %2</translation>
-    </message>
-    <message>
-        <location filename="event_words.cpp"/>
-        <source>link %1 tore</source>
-        <translation>la liaison %1 a cédé</translation>
-    </message>
-    <message>
-        <location filename="event_words.cpp"/>
-        <source>panel %1 tore</source>
-        <translation>le panneau %1 s’est déchiré</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
@@ -2685,6 +2695,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
+        <source>Save &amp;film…</source>
+        <translation>Enregistrer un &amp;film…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
         <source>Save &amp;picture…</source>
         <translation>Enregistrer une i&amp;mage…</translation>
     </message>
@@ -2712,6 +2727,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="file_rows.cpp"/>
         <source>The 3D view as PNG, JPEG, SVG or PDF, large enough for a paper, on sky, white or nothing.</source>
         <translation>La vue 3D en PNG, JPEG, SVG ou PDF, assez grande pour un article, sur ciel, sur blanc ou sans fond.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>The flight of the timeline as a film, MP4, WebM or GIF, seen as in the 3D view.</source>
+        <translation>Le vol de la chronologie en film, MP4, WebM ou GIF, tel que le montre la vue 3D.</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
@@ -4725,6 +4745,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Plus raide</translation>
     </message>
     <message>
+        <location filename="material_step.cpp"/>
+        <source>Stronger</source>
+        <translation>Plus résistant</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>Weaker</source>
+        <translation>Moins résistant</translation>
+    </message>
+    <message>
         <location filename="material_test.cpp"/>
         <source>%1 %2 %3, standard error %4 (%5 %); %6 points from %7 to %8 %9</source>
         <translation>%1 %2 %3, erreur type %4 (%5 %) ; %6 points de %7 à %8 %9</translation>
@@ -5326,6 +5356,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="neighbours.cpp"/>
+        <source>%1 has no strength from which a step could be made: choose a material of the library for it first.</source>
+        <translation>%1 n’a pas de résistance d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
         <source>Heavier: %1</source>
         <translation>Plus lourd : %1</translation>
     </message>
@@ -5346,6 +5381,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="neighbours.cpp"/>
+        <source>Stronger: %1</source>
+        <translation>Plus résistant : %1</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
         <source>The library has nothing heavier than %1 that is known as well.</source>
         <translation>La bibliothèque n’a rien de plus lourd que %1 qui soit aussi bien connu.</translation>
     </message>
@@ -5363,6 +5403,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="neighbours.cpp"/>
         <source>The library has nothing stiffer than %1 that is known as well.</source>
         <translation>La bibliothèque n’a rien de plus raide que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>The library has nothing stronger than %1 that is known as well.</source>
+        <translation>La bibliothèque n’a rien de plus résistant que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>The library has nothing weaker than %1 that is known as well.</source>
+        <translation>La bibliothèque n’a rien de moins résistant que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>Weaker: %1</source>
+        <translation>Moins résistant : %1</translation>
     </message>
     <message>
         <location filename="network_check.cpp"/>

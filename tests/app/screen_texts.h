@@ -48,8 +48,12 @@ inline QHash<QString, QString> catalogue()
     return texts;
 }
 
-// Without the mark of its key and the dots behind it.
-inline QString bare(QString text) { return text.remove('&').remove(QChar(0x2026)).trimmed(); }
+// Without the mark of its key and the dots behind it, and
+// without what a menu shows in its second column: keys, and numbers of materials.
+inline QString bare(const QString& text)
+{
+    return text.section('\t', 0, 0).remove('&').remove(QChar(0x2026)).trimmed();
+}
 
 // Texts of which the catalogue says that they are the same in French: Parachute, Tension.
 inline QSet<QString> alike()

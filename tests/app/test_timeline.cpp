@@ -13,6 +13,7 @@
 #include "window_shop.h"
 
 #include <QLabel>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
@@ -57,6 +58,18 @@ class TestTimeline : public QObject
     Q_OBJECT
 
 private slots:
+    // A tear is said while the run goes on, and of what it is.
+    void tearsAreSaid()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("tear_test.ripstop.json"));
+        shop.fly(3.05);
+        QVERIFY(!shop.player.frame()->tears.empty());
+        QTRY_VERIFY(shop.window.statusBar()->currentMessage().contains("tore"));
+        const QString words = shop.window.statusBar()->currentMessage();
+        QVERIFY2(words.contains("structural, link"), qPrintable(words));
+    }
+
     void looksBackAndReturns()
     {
         TimelineShop shop;

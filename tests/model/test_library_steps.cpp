@@ -1,8 +1,8 @@
 // Marks of the library along a number, and steps to the next material.
 //
-// Stages: where named materials lie; which one is next by weight and by stiffness, by the numbers
-// that resources/materials.json has of them; what a step does to masses, and that it is undone;
-// what is refused; and the same from the command line.
+// Stages: where named materials lie; which one is next by weight, stiffness and strength, by the
+// numbers that resources/materials.json has of them; what a step does to masses, and that it is
+// undone; what is refused; and the same from the command line.
 #include "model/material_sheets.h"
 #include "registered_test.h"
 
@@ -123,6 +123,12 @@ private slots:
         QTest::newRow("a film among fabrics") << "pet_film_1mil" << Lighter << "icarex_p31";
         // 0.28 g/m, where Dyneema of 50 daN has 0.2
         QTest::newRow("lighter line") << "dyneema_line_100" << Lighter << "liros_ltc45";
+        // 8 kN/m of warp, where the twill of MIL-C-7020 has 8.756
+        QTest::newRow("stronger kite cloth") << "ripstop_075" << Stronger << "mil_7020_2";
+        // 450 N of which splices leave 0.9, 405 N. Of the braid's 785 N knots leave 0.6, 471 N; of
+        // two lines of 500 N 300 N, and 0.2 g/m is nearer to 0.28 than 0.6 is.
+        QTest::newRow("stronger line") << "liros_ltc45" << Stronger << "dyneema_1";
+        QTest::newRow("weaker line") << "liros_ltc45" << Weaker << "dyneema_line_50";
         // EI of 1.227, where the carbon tube has 1.229; a dowel of 0.95 has no weight
         QTest::newRow("stiffer spar") << "carbon_rod_3" << Stiffer << "fibreglass_rod_5";
     }
@@ -169,6 +175,7 @@ private slots:
         Material material;
         material.name = "ideal";
         QVERIFY(nameOf(neighbour(material, MaterialStep::Lighter)).contains("ideal has no"));
+        QVERIFY(nameOf(neighbour(material, MaterialStep::Stronger)).contains("has no strength"));
         const QString none = nameOf(neighbour(made("aluminium_62"), MaterialStep::Stiffer));
         QVERIFY2(none.contains("nothing stiffer than sail"), qPrintable(none));
     }

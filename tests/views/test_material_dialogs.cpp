@@ -5,6 +5,7 @@
 // a test is read, fitted over a range and saved; what is wrong with a test is said.
 #include "builders/builder.h"
 #include "document/document.h"
+#include "document/number_line.h"
 #include "document/selection.h"
 #include "inspector/inspector.h"
 #include "inspector/material_test_dialog.h"
@@ -23,6 +24,8 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
+
+#include <algorithm>
 
 namespace ripstop::test_material_dialogs {
 
@@ -46,7 +49,14 @@ struct RopeForm
         selection.set({cord});
         chooser = inspector.findChild<PresetChooser*>();
     }
-    QStringList listed() const
+    QStringList listed() const // the names without what they bear
+    {
+        QStringList names;
+        for (const QString& entry : entries())
+            names << entry.section('\t', 0, 0);
+        return names;
+    }
+    QStringList entries() const
     {
         QStringList texts;
         emit chooser->findChild<QToolButton*>()->menu()->aboutToShow();
@@ -89,6 +99,25 @@ class TestMaterialDialogs : public QObject
     Q_OBJECT
 
 private slots:
+    // Who double-clicks on 2.4 and types 3 means 3, not 3.4.
+    void aDoubleClickTakesTheWholeNumber()
+    {
+        NumberLine line;
+        line.setText("2.4");
+        QTest::mouseDClick(&line, Qt::LeftButton, {}, QPoint(6, 6));
+        QCOMPARE(line.selectedText(), QString("2.4"));
+    }
+
+    // By what they bear one looks for a stronger one; Liros lists 45 daN.
+    void theMenuSaysWhatPresetsBear()
+    {
+        RopeForm form;
+        const QStringList entries = form.entries();
+        QVERIFY(std::ranges::any_of(entries, [](const QString& entry) {
+            return entry.startsWith("Liros LTC45\t450") && entry.endsWith('N');
+        }));
+    }
+
     void init()
     {
         m_home = std::make_unique<QTemporaryDir>();

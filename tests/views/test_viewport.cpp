@@ -183,6 +183,48 @@ private slots:
         QVERIFY(isReddish(view.middle()));
     }
 
+    // A run that begins anew is looked for where the camera sees nothing of it, as after a close
+    // look at another place of the flight before; a camera that sees some of it stays.
+    void aRunThatBeginsAnewIsSeen()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        auto anew = std::make_shared<Frame>(*view.player.frame());
+        ++anew->run;
+        const double seen = view.viewport.camera().distance;
+        view.viewport.show(anew);
+        QCOMPARE(view.viewport.camera().distance, seen);
+
+        Camera elsewhere = view.viewport.camera();
+        elsewhere.focus = Vec3(0, -20, 0);
+        elsewhere.distance = 0.1;
+        view.viewport.look(elsewhere);
+        anew = std::make_shared<Frame>(*anew);
+        view.viewport.show(anew); // goes on: the person looks where the person wants
+        QVERIFY(!isReddish(view.middle()));
+        anew = std::make_shared<Frame>(*anew);
+        ++anew->run;
+        view.viewport.show(anew);
+        QVERIFY(isReddish(view.middle()));
+    }
+
+    // What is selected is marked in the window, and not in pictures that are taken away.
+    void picturesHaveNoMarksOfTheSelection()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        const auto middle = [&] {
+            return view.viewport.image(Viewport::Shot{{400, 300}, Viewport::Overlays::Without})
+                .pixelColor(200, 160);
+        };
+        const QColor bare = middle();
+        view.selection.set({Id{5}});
+        QCOMPARE(middle(), bare);
+        QVERIFY(view.middle() != bare);
+    }
+
     void clicksSelect()
     {
         View view(redPanel());

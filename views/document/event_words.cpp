@@ -1,5 +1,6 @@
 #include "document/event_words.h"
 
+#include "document/place_words.h"
 #include "document/words.h"
 
 #include <QCoreApplication>
@@ -26,11 +27,10 @@ QString what(const RunEvent& event, const Scene& scene)
     const auto name = [&](std::uint32_t id) { return nameOf(scene, Id{id}); };
     switch (event.kind) {
     case RunEvent::Kind::Tear:
-        return isPanel(scene, Id{event.what})
-                   ? lines(event, EventWords::tr("panel %1 tore"),
-                           EventWords::tr("it tore at %1 places, panel %2 first"))
-                   : lines(event, EventWords::tr("link %1 tore"),
-                           EventWords::tr("%1 links tore, link %2 first"));
+        return event.count == 1 ? EventWords::tr("%1 tore").arg(placeWords(scene, Id{event.what}))
+                                : EventWords::tr("%1 places tore, the first is %2")
+                                      .arg(event.count)
+                                      .arg(placeWords(scene, Id{event.what}));
     case RunEvent::Kind::Control:
         return EventWords::tr("a control was moved");
     case RunEvent::Kind::Hand:

@@ -1,3 +1,5 @@
+// Labels of the steps first; then a step is made, of materials or of what is selected, and said; at
+// the end it is said before it is made.
 #include "inspector/material_step.h"
 
 #include "check/check.h"
@@ -41,9 +43,13 @@ QString stepLabel(MaterialStep step)
     case MaterialStep::Softer:
         return tr("Softer");
     case MaterialStep::Stiffer:
+        return tr("Stiffer");
+    case MaterialStep::Weaker:
+        return tr("Weaker");
+    case MaterialStep::Stronger:
         break;
     }
-    return tr("Stiffer");
+    return tr("Stronger");
 }
 
 QString stepMaterials(Document& document, const std::vector<Id>& materials, MaterialStep step,

@@ -7,6 +7,7 @@
 
 #include "check/check.h"
 #include "document/document.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "inspector/material_step.h"
 #include "inspector/material_test_dialog.h"
@@ -43,6 +44,18 @@ QLabel* smallPrint()
     label->setForegroundRole(QPalette::PlaceholderText);
     label->setTextInteractionFlags(Qt::TextBrowserInteraction);
     return label;
+}
+
+// What it bears, in the column of a menu that keys have: by it one looks for a stronger one.
+QString strengthColumn(const Preset& preset)
+{
+    for (const Property* property :
+         {&propertyOf<&Material::warpStrength>(), &propertyOf<&Material::lineStrength>(),
+          &propertyOf<&Material::breakingMoment>()})
+        if (const PresetNumber* number = findNumber(preset, *property))
+            if (const double* strength = std::get_if<double>(&number->value))
+                return QChar('\t') + spokenText(*strength, property->unit, 3);
+    return {};
 }
 
 } // namespace
@@ -100,7 +113,7 @@ PresetChooser::PresetChooser(Subject& subject, UsageWatch& usage, QWidget* paren
 QWidget* PresetChooser::makeSteps()
 {
     auto* steps = new QWidget;
-    auto* layout = new QGridLayout(steps); // by weight above, by stiffness below
+    auto* layout = new QGridLayout(steps); // by weight, by stiffness, by strength
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     for (const MaterialStep step : allMaterialSteps) {
@@ -178,9 +191,12 @@ void PresetChooser::fillMenu()
 {
     for (QMenu* menu : m_kinds)
         menu->clear();
+    const Preset* current = chosen();
     const auto add = [&](const Preset& preset, const QString& text) {
         QAction* action = m_kinds[std::size_t(preset.kind)]->addAction(
-            text, this, [this, &preset] { apply(preset); });
+            text + strengthColumn(preset), this, [this, &preset] { apply(preset); });
+        action->setCheckable(&preset == current);
+        action->setChecked(&preset == current);
         action->setToolTip(QStringLiteral("<qt>%1</qt>").arg(richText(sourcesOf(preset))));
     };
     for (const Preset& preset : allPresets())

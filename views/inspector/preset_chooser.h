@@ -1,7 +1,8 @@
 // A menu of fabrics, films, lines and spars above the form of a material, and where the numbers of
 // the chosen one are from.
 //
-// Below the menu are steps to the next material of the library: lighter, heavier, softer, stiffer.
+// Below the menu are steps to the next material of the library: lighter, heavier, softer, stiffer,
+// weaker, stronger.
 // Where its stiffness does nothing in the scene that is said, with links that make it count.
 //
 // A preset is chosen for all materials of the subject. What cannot be done is said in the place of

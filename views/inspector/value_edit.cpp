@@ -15,7 +15,7 @@ constexpr int unitGap = 5; // px, on both sides of the unit
 } // namespace
 
 ValueEdit::ValueEdit(Judge judge, QWidget* parent)
-    : QLineEdit(parent)
+    : NumberLine(parent)
     , m_judge(std::move(judge))
 {
     setMinimumWidth(40);
@@ -104,20 +104,20 @@ void ValueEdit::keyPressEvent(QKeyEvent* event)
         emit stepped(key == Qt::Key_Up ? size : -size, event->isAutoRepeat());
         return;
     }
-    QLineEdit::keyPressEvent(event);
+    NumberLine::keyPressEvent(event);
 }
 
 void ValueEdit::focusOutEvent(QFocusEvent* event)
 {
     if (event->reason() != Qt::PopupFocusReason)
         leave();
-    QLineEdit::focusOutEvent(event);
+    NumberLine::focusOutEvent(event);
     setCursorPosition(0); // the front of a long text tells more than its end
 }
 
 void ValueEdit::paintEvent(QPaintEvent* event)
 {
-    QLineEdit::paintEvent(event);
+    NumberLine::paintEvent(event);
     QPainter painter(this);
     if (!m_unit.isEmpty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));

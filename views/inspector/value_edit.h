@@ -5,13 +5,13 @@
 // from outside. The unit stands at the right end and is not part of the text.
 #pragma once
 
-#include <QLineEdit>
+#include "document/number_line.h"
 
 #include <functional>
 
 namespace ripstop {
 
-class ValueEdit final : public QLineEdit
+class ValueEdit final : public NumberLine
 {
     Q_OBJECT
 

@@ -1,6 +1,7 @@
 // Numbers and words of a row first, then the columns, then the rows as they are filled.
 #include "loads/load_list.h"
 
+#include "document/place_words.h"
 #include "document/spoken.h"
 #include "document/words.h"
 #include "icons/tinted.h"
@@ -17,26 +18,6 @@ constexpr double nearBreaking = 0.8; // 1, from where on a margin has a sign
 constexpr int digits = 3; // which is more than is known of what breaks
 
 QString amount(double value, LoadKind kind) { return spokenText(value, unitOf(kind), digits); }
-
-Id materialOf(const Scene& scene, Id element)
-{
-    const std::optional<ConstRef> thing = find(scene, element);
-    if (!thing)
-        return noId;
-    if (const auto* link = std::get_if<const Link*>(&*thing))
-        return (*link)->material;
-    const auto* panel = std::get_if<const Panel*>(&*thing);
-    return panel ? (*panel)->material : noId;
-}
-
-// "bridle, link 17": the material tells more of where that is than the part.
-QString placeWords(const Scene& scene, Id element)
-{
-    const Id material = materialOf(scene, element);
-    return material == noId
-               ? describe(scene, {element})
-               : QStringLiteral("%1, %2").arg(nameOf(scene, material), nameOf(scene, element));
-}
 
 QString loadWords(LoadKind kind)
 {

@@ -231,6 +231,13 @@ void Outline::showContextMenu(const QPoint& place)
     const std::vector<Id>& ids = m_selection.ids();
 
     QMenu menu;
+    const bool isBuilt = std::ranges::any_of(ids, [&](Id id) {
+        const Part* part = findItem<Part>(scene, id);
+        return part && !part->builder.empty();
+    });
+    if (isBuilt)
+        for (QAction* action : m_partActions)
+            menu.addAction(action);
     if (current.isValid() && (m_filter->flags(current) & Qt::ItemIsEditable))
         menu.addAction(tr("Rename"), QKeySequence(Qt::Key_F2), this,
                        [=, this] { m_tree->edit(current); });

@@ -11,8 +11,11 @@
 #include <QWidget>
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 class QLineEdit;
+class QAction;
 class QMenu;
 class QTreeView;
 
@@ -34,6 +37,9 @@ public:
     void renameCurrent();
     void removeSelected(); // asks when more goes than what is selected
     void focusSearch();
+
+    // What the menu of a part that a builder has made offers first.
+    void setPartActions(std::vector<QAction*> actions) { m_partActions = std::move(actions); }
 
     // Asks the user; a dialog unless it is replaced.
     std::function<bool(const QString& question)> confirm;
@@ -57,6 +63,7 @@ private:
     QLineEdit* m_search;
     QTreeView* m_tree;
     QMenu* m_addMenu;
+    std::vector<QAction*> m_partActions;
     bool m_syncing = false; // the tree follows the selection, not the other way round
 };
 

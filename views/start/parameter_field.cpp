@@ -5,6 +5,7 @@
 // slider, because equal steps would leave no room for small values.
 #include "start/parameter_field.h"
 
+#include "document/number_line.h"
 #include "document/words.h"
 #include "icons/complaint.h"
 #include "scene/typed_number.h"
@@ -146,7 +147,7 @@ QWidget* ParameterField::numberRow(Slider slider)
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_number = new QLineEdit;
+    m_number = new NumberLine;
     m_number->setAlignment(Qt::AlignRight);
     if (slider == Slider::With)
         m_number->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.0000 m")));

@@ -9,6 +9,7 @@
 // The camera: fitting, preset views, following. The mouse and keys are in viewport_input.cpp.
 #include "viewport/viewport.h"
 
+#include "camera/camera_projection.h"
 #include "document/recordings.h"
 #include "look/scene_frame.h"
 #include "overlays/overlay_paint.h"
@@ -158,6 +159,17 @@ void Viewport::Private::fitNow()
     screen.renderSoon();
 }
 
+bool Viewport::Private::seesSubject()
+{
+    stage.prepare(document.scene());
+    const CameraProjection project(camera, screen.width(), screen.height());
+    const std::vector<Vec3> points = stage.subjectPoints();
+    return points.empty() || std::ranges::any_of(points, [&](const Vec3& point) {
+               const auto pixel = project.pixel(point);
+               return pixel && QRectF(screen.rect()).contains(*pixel);
+           });
+}
+
 // Once when they come; later the picture is left as it is, however far they fly. Says whether the
 // camera may have moved.
 bool Viewport::Private::lookAtGhosts(const std::vector<GhostFrame>& ghosts)
@@ -258,7 +270,10 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
         d->chase.settle(frame.get());
     else
         d->chase.move(d->camera, *frame, d->stage.frame().get());
+    const bool isAnew = d->stage.frame() && d->stage.frame()->run != frame->run;
     d->stage.show(std::move(frame));
+    if (isAnew && !d->seesSubject()) // the camera looked closely at what is elsewhere again
+        d->fitNow();
     d->pointing.moved();
     d->screen.renderSoon();
 }
@@ -337,8 +352,10 @@ QImage Viewport::image(const Shot& shot)
 {
     d->shotRatio = double(shot.size.height()) / std::max(height(), 1);
     d->stage.setBackdrop(shot.backdrop);
+    d->stage.setSelected({}); // a mark of the window, not of the design
     QImage picture = d->screen.picture(shot.size, shot.backdrop);
     d->stage.setBackdrop(Backdrop::Scenery);
+    d->stage.setSelected(d->selection.ids());
     d->shotRatio.reset();
     if (!picture.isNull() && shot.overlays == Overlays::With) {
         QPainter painter(&picture);

@@ -66,6 +66,7 @@ public:
     std::optional<CameraView> view();          // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
+    bool seesSubject(); // some of the design is in the picture
     bool lookAtGhosts(const std::vector<GhostFrame>& ghosts);
 
     template <typename Change>
