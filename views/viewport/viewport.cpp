@@ -270,7 +270,8 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
         d->chase.settle(frame.get());
     else
         d->chase.move(d->camera, *frame, d->stage.frame().get());
-    const bool isAnew = d->stage.frame() && d->stage.frame()->run != frame->run;
+    const auto before = d->stage.frame();
+    const bool isAnew = before && before->run != frame->run && before->step > frame->step;
     d->stage.show(std::move(frame));
     if (isAnew && !d->seesSubject()) // the camera looked closely at what is elsewhere again
         d->fitNow();
