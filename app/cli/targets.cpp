@@ -1,7 +1,7 @@
 #include "cli/targets.h"
 
 #include "base/new_file.h"
-#include "derived/fabric_picture.h"
+#include "derived/named_files.h"
 #include "terminal/terminal.h"
 
 #include <filesystem>

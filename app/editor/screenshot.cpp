@@ -77,10 +77,7 @@ void Screenshot::save()
         file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))
                    .arg(m_picture, 4, 10, QChar('0'));
     m_window.viewport().fit(m_fitted); // each time, because what flies leaves the first picture
-    m_window.docks().catchUp(); // or their numbers would be older than the moment that is printed
-    m_window.repaint();
-    m_window.viewport().image(); // finely; what moves is drawn quickly
-    if (!(m_options.viewOnly ? writeView(file) : m_window.grab().save(file))) {
+    if (!(m_options.viewOnly ? writeView(file) : grabWindow().save(file))) {
         std::fprintf(stderr,
                      "%s: cannot be written; choose a folder that you may write to and the ending "
                      ".png, or of the view .jpg, .svg or .pdf\n",
@@ -93,6 +90,14 @@ void Screenshot::save()
         std::printf("%s time %.6g s step %lld hash %s\n", qPrintable(file), frame->time,
                     static_cast<long long>(frame->step), hashText(frame->hash).c_str());
     finish(0);
+}
+
+QPixmap Screenshot::grabWindow()
+{
+    m_window.docks().catchUp(); // or their numbers would be older than the moment that is printed
+    m_window.repaint();
+    m_window.viewport().image(); // finely; what moves is drawn quickly
+    return m_window.grab();
 }
 
 bool Screenshot::writeView(const QString& file)
@@ -125,9 +130,7 @@ void Screenshot::saveWithDialog()
     QWidget* dialog = QApplication::activeModalWidget();
     if (++m_settling < dialogTurns)
         return;
-    m_window.repaint();
-    m_window.viewport().image(); // finely; what moves is drawn quickly
-    QPixmap picture = m_window.grab();
+    QPixmap picture = grabWindow();
     QPainter painter(&picture);
     painter.drawPixmap(dialog->mapToGlobal(QPoint()) - m_window.mapToGlobal(QPoint()),
                        dialog->grab());

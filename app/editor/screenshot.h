@@ -11,6 +11,7 @@
 #include "scene/id.h"
 
 #include <QObject>
+#include <QPixmap>
 #include <QTimer>
 
 #include <vector>
@@ -31,6 +32,7 @@ public:
 private:
     void goOn();
     void save();
+    QPixmap grabWindow(); // as it is at this moment
     bool writeView(const QString& file);
     void saveImport();
     void saveWithDialog();

@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QStatusBar>
 
+#include <algorithm>
 #include <utility>
 
 namespace ripstop {
@@ -64,12 +65,12 @@ void StatusLine::tellTears(const Recordings& recordings)
     if (!recording || !m_player.frame() || m_player.frame()->run != recording->run())
         return;
     if (std::exchange(m_watched, recording->run()) != recording->run())
-        m_told = 0;
-    std::vector<RunEvent> tears = recording->events();
-    std::erase_if(tears, [](const RunEvent& one) { return one.kind != RunEvent::Kind::Tear; });
-    if (tears.size() > m_told)
-        say(describe(tears[m_told], m_document.scene()), read);
-    m_told = tears.size();
+        m_heard = 0;
+    const std::vector<RunEvent> news = recording->events(m_heard);
+    m_heard += news.size();
+    const auto tear = std::ranges::find(news, RunEvent::Kind::Tear, &RunEvent::kind);
+    if (tear != news.end())
+        say(describe(*tear, m_document.scene()), read);
 }
 
 void StatusLine::follow(Viewport& viewport)

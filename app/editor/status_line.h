@@ -60,7 +60,7 @@ private:
     QLabel* m_selected;
     QLabel* m_counts;
     std::uint64_t m_watched = 0; // the run whose tears have been told
-    std::size_t m_told = 0;      // how many of them
+    std::size_t m_heard = 0;     // how many of its events
     QTimer m_selectedSoon;       // counts what is selected
 };
 

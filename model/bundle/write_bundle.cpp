@@ -11,7 +11,7 @@
 #include "bundle/readme.h"
 #include "bundle/zip_file.h"
 #include "compile/compile.h"
-#include "derived/fabric_picture.h"
+#include "derived/named_files.h"
 #include "export/export_run.h"
 #include "export/format.h"
 #include "io/recording_file.h"

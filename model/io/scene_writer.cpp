@@ -2,7 +2,7 @@
 // elements would take gigabytes.
 #include "io/scene_file.h"
 
-#include "derived/fabric_picture.h"
+#include "derived/named_files.h"
 #include "io/json_text.h"
 #include "io/json_value.h"
 #include "scene/property.h"

@@ -167,10 +167,11 @@ std::vector<RunInput> Recording::inputs() const
     return d->inputs;
 }
 
-std::vector<RunEvent> Recording::events() const
+std::vector<RunEvent> Recording::events(std::size_t first) const
 {
     const std::lock_guard lock(d->mutex);
-    return d->events;
+    const std::size_t from = std::min(first, d->events.size());
+    return {d->events.begin() + std::ptrdiff_t(from), d->events.end()};
 }
 
 bool Recording::isOver() const

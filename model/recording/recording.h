@@ -84,7 +84,7 @@ public:
     std::int64_t lastStep() const;
     std::uint64_t hashOf(std::int64_t step) const; // 0 when it is not in the recording
     std::vector<RunInput> inputs() const;
-    std::vector<RunEvent> events() const;
+    std::vector<RunEvent> events(std::size_t first = 0) const; // from this one on
     bool isOver() const;
     std::uint64_t run() const; // as its frames have it
 

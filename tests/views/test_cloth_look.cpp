@@ -2,13 +2,10 @@
 // borders and seams as bands, the mesh only when asked for, and lines as thick as they are.
 //
 // Stages: pictures of a square sheet tell by their pixels; then the pieces of bands by their areas.
-#include "viewport/viewport.h"
+#include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
 #include "builders/builder.h"
-#include "document/document.h"
-#include "document/player.h"
-#include "document/selection.h"
 #include "look/bands.h"
 #include "look/color_map.h"
 #include "look/scene_frame.h"
@@ -45,18 +42,11 @@ Scene sheet(double degrees)
     return scene;
 }
 
-struct View
+struct View : BareView
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    Viewport viewport{document, selection, player};
-
     explicit View(Scene scene)
+        : BareView(std::move(scene), {400, 300})
     {
-        viewport.resize(400, 300);
-        document.replace(std::move(scene));
-        static_cast<QWidget&>(viewport).show();
         viewport.setWindShown(false);
         viewport.view(PresetView::Front);
     }

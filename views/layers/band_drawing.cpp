@@ -32,13 +32,7 @@ std::array<float, Size>* rowsOf(vtkFloatArray& array, std::size_t count)
 
 BandDrawing::BandDrawing()
 {
-    m_points->SetDataTypeToFloat();
-    m_normals->SetNumberOfComponents(3);
-    m_onCloth->SetNumberOfComponents(4);
-    m_onCloth->SetName(clothPointArray);
-    m_mesh->SetPoints(m_points);
-    m_mesh->GetPointData()->SetNormals(m_normals);
-    m_mesh->GetPointData()->AddArray(m_onCloth);
+    joinCloth(*m_mesh, *m_points, *m_normals, *m_onCloth);
     m_mapper->SetInputData(m_mesh);
     // before the panels that they lie on, behind the links
     m_mapper->SetResolveCoincidentTopologyToPolygonOffset();

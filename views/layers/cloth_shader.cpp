@@ -3,6 +3,8 @@
 #include "layers/cloth_shader.h"
 
 #include <vtkDataObject.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
@@ -69,6 +71,17 @@ constexpr const char* fragmentLight = R"(//VTK::Light::Impl
 )";
 
 } // namespace
+
+void joinCloth(vtkPolyData& mesh, vtkPoints& points, vtkFloatArray& normals, vtkFloatArray& onCloth)
+{
+    points.SetDataTypeToFloat();
+    normals.SetNumberOfComponents(3);
+    onCloth.SetNumberOfComponents(4);
+    onCloth.SetName(clothPointArray);
+    mesh.SetPoints(&points);
+    mesh.GetPointData()->SetNormals(&normals);
+    mesh.GetPointData()->AddArray(&onCloth);
+}
 
 void addClothShader(vtkActor& actor, vtkPolyDataMapper& mapper)
 {

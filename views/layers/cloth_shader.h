@@ -10,6 +10,8 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 
 namespace ripstop {
@@ -18,6 +20,10 @@ namespace ripstop {
 inline constexpr const char* clothPointArray = "clothPoint";
 
 enum class Shown { Cloth, Numbers };
+
+// Makes a mesh of these: points, normals, and the array of that name.
+void joinCloth(vtkPolyData& mesh, vtkPoints& points, vtkFloatArray& normals,
+               vtkFloatArray& onCloth);
 
 // Has the actor look like cloth. Its mapper must be given points with that array.
 void addClothShader(vtkActor& actor, vtkPolyDataMapper& mapper);

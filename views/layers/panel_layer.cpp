@@ -18,13 +18,7 @@ PanelLayer::PanelLayer()
     m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 2.0);
     m_actor->SetMapper(m_mapper);
 
-    m_points->SetDataTypeToFloat();
-    m_normals->SetNumberOfComponents(3);
-    m_onCloth->SetNumberOfComponents(4);
-    m_onCloth->SetName(clothPointArray);
-    m_mesh->SetPoints(m_points);
-    m_mesh->GetPointData()->SetNormals(m_normals);
-    m_mesh->GetPointData()->AddArray(m_onCloth);
+    joinCloth(*m_mesh, *m_points, *m_normals, *m_onCloth);
     addClothShader(*m_actor, *m_mapper);
 }
 

@@ -68,31 +68,39 @@ std::vector<std::vector<Neighbour>> neighboursOf(std::span<const Corners> panels
     return neighbours;
 }
 
+// Visits each panel but the first of a piece of fabric, from a neighbour that was visited before,
+// ring by ring.
+template <typename Visit> // (panel, its neighbour that is new)
+void walkOutwards(const std::vector<std::vector<Neighbour>>& neighbours, Visit visit)
+{
+    std::vector<std::uint8_t> seen(neighbours.size(), 0);
+    std::vector<int> queue;
+    for (int seed = 0; seed < int(neighbours.size()); ++seed) {
+        if (seen[seed])
+            continue;
+        seen[seed] = 1;
+        queue.assign(1, seed);
+        for (std::size_t at = 0; at < queue.size(); ++at)
+            for (const Neighbour& next : neighbours[queue[at]]) {
+                if (seen[next.panel])
+                    continue;
+                seen[next.panel] = 1;
+                visit(queue[at], next);
+                queue.push_back(next.panel);
+            }
+    }
+}
+
 } // namespace
 
 std::vector<Corners> facingAlike(std::span<const Corners> panels)
 {
     const auto neighbours = neighboursOf(panels);
     std::vector<Corners> result(panels.begin(), panels.end());
-    std::vector<std::uint8_t> seen(panels.size(), 0), turned(panels.size(), 0);
-    std::vector<int> queue;
-    for (int seed = 0; seed < int(panels.size()); ++seed) {
-        if (seen[seed])
-            continue;
-        seen[seed] = 1;
-        queue.assign(1, seed);
-        while (!queue.empty()) {
-            const int panel = queue.back();
-            queue.pop_back();
-            for (const Neighbour& next : neighbours[panel]) {
-                if (seen[next.panel])
-                    continue;
-                seen[next.panel] = 1;
-                turned[next.panel] = turned[panel] != std::uint8_t(next.opposed);
-                queue.push_back(next.panel);
-            }
-        }
-    }
+    std::vector<std::uint8_t> turned(panels.size(), 0);
+    walkOutwards(neighbours, [&](int panel, const Neighbour& next) {
+        turned[next.panel] = turned[panel] != std::uint8_t(next.opposed);
+    });
     for (std::size_t p = 0; p < panels.size(); ++p)
         if (turned[p])
             std::swap(result[p][1], result[p][2]);
@@ -137,24 +145,9 @@ void layBeside(const Corners& panel, const std::array<ClothPoint, 3>& laid,
 
 void laySideBySide(std::span<const Corners> panels, std::span<std::array<ClothPoint, 3>> points)
 {
-    const auto neighbours = neighboursOf(panels);
-    std::vector<std::uint8_t> seen(panels.size(), 0);
-    std::vector<int> queue;
-    for (int seed = 0; seed < int(panels.size()); ++seed) {
-        if (seen[seed])
-            continue;
-        seen[seed] = 1;
-        queue.assign(1, seed);
-        for (std::size_t at = 0; at < queue.size(); ++at) // outwards, ring by ring
-            for (const Neighbour& next : neighbours[queue[at]]) {
-                if (seen[next.panel])
-                    continue;
-                seen[next.panel] = 1;
-                layBeside(panels[queue[at]], points[queue[at]], panels[next.panel],
-                          points[next.panel]);
-                queue.push_back(next.panel);
-            }
-    }
+    walkOutwards(neighboursOf(panels), [&](int panel, const Neighbour& next) {
+        layBeside(panels[panel], points[panel], panels[next.panel], points[next.panel]);
+    });
 }
 
 namespace {

@@ -7,7 +7,7 @@
 //                   one as an earlier run; drawSoon() waits longer the longer the last drawing
 //                   took, so that plots never take more than a third of the window's time
 //   events          those of the recording become marks, but only when it is the run that is drawn
-//   the list        what the probes read, and the ticks, which become edits
+// The list of probes is in plot_list.cpp.
 #include "plots/plot_panel.h"
 
 #include "base/quantity.h"
@@ -15,9 +15,7 @@
 #include "document/event_words.h"
 #include "document/player.h"
 #include "document/recordings.h"
-#include "document/spoken.h"
 #include "document/words.h"
-#include "icons/swatch.h"
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
 #include "plots/plot_output.h"
@@ -26,7 +24,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
-#include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTreeWidget>
@@ -147,21 +144,6 @@ void PlotPanel::refresh()
     m_pages->setCurrentIndex(m_probes.empty() ? 1 : 0);
 }
 
-void PlotPanel::rebuildList()
-{
-    const QSignalBlocker quiet(m_list);
-    m_list->clear();
-    for (std::size_t i = 0; i < m_probes.size(); ++i) {
-        const auto& probe = std::get<Probe>(m_probes[i].item);
-        auto* item = new QTreeWidgetItem(m_list, {QString::fromStdString(probe.name)});
-        item->setCheckState(0, isDrawn(m_probes[i]) ? Qt::Checked : Qt::Unchecked);
-        item->setIcon(0, swatch(curveColor(int(i), palette())));
-        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setToolTip(0, choiceLabel(choiceNames<Quantity>[std::size_t(probe.quantity)]));
-    }
-    showValues();
-}
-
 const Plot& PlotPanel::plotOf(std::size_t view) const
 {
     return m_plots.empty() ? m_own : std::get<Plot>(m_plots[view].item);
@@ -231,13 +213,6 @@ std::vector<Curve> PlotPanel::curvesOf(const Plot& plot) const
     return curves;
 }
 
-bool PlotPanel::isDrawn(const Entry& probe) const
-{
-    return std::ranges::any_of(m_views[m_current]->curves(), [&](const Curve& curve) {
-        return curve.probe == std::uint32_t(probe.id);
-    });
-}
-
 AxisWords PlotPanel::acrossOf(const Plot& plot) const
 {
     const Probe* across = findItem<Probe>(m_document.scene(), plot.against);
@@ -245,15 +220,6 @@ AxisWords PlotPanel::acrossOf(const Plot& plot) const
         return {};
     return {QString::fromStdString(across->name), unitOf(plot.against),
             isSaidInPercent(across->quantity)};
-}
-
-QString PlotPanel::unitOf(Id id) const
-{
-    if (const auto& frame = m_player.frame())
-        for (const Layout::Probe& probe : frame->layout->probes)
-            if (probe.id == std::uint32_t(id))
-                return QString::fromStdString(probe.unit);
-    return {};
 }
 
 void PlotPanel::takeOver(const PlotPanel& before)
@@ -403,65 +369,6 @@ void PlotPanel::giveMarks()
             marks.push_back({event.kind, event.time, describe(event, m_document.scene())});
     for (PlotView* view : m_views)
         view->chart().setMarks(marks);
-}
-
-// Shows in the list what the probes read at the time under the mouse, or now.
-void PlotPanel::showValues()
-{
-    const History& history = shownHistory();
-    const bool past = m_hovered && !history.time().empty();
-    const std::size_t sample = past ? history.nearest(*m_hovered) : 0;
-    m_list->setHeaderLabels(
-        {m_views.size() > 1 ? QString::fromStdString(plotOf(m_current).name) : tr("Probe"),
-         past ? tr("at %1 s").arg(QLocale().toString(history.time()[sample], 'f', 2)) : tr("now")});
-    const auto& frame = m_player.frame();
-    for (std::size_t i = 0; i < m_probes.size(); ++i) {
-        const auto id = std::uint32_t(m_probes[i].id);
-        double value = std::nan("");
-        if (past) {
-            const auto values = history.valuesOf(id);
-            if (sample < values.size())
-                value = values[sample];
-        } else if (frame) {
-            const auto& probes = frame->layout->probes;
-            for (std::size_t p = 0; p < probes.size(); ++p)
-                if (probes[p].id == id)
-                    value = frame->probe[p];
-        }
-        const QSignalBlocker quiet(m_list);
-        QTreeWidgetItem& row = *m_list->topLevelItem(int(i));
-        row.setText(1, readingText(std::get<Probe>(m_probes[i].item).quantity, value,
-                                   unitOf(m_probes[i].id).toStdString()));
-        row.setToolTip(1, errorText(id, past ? m_hovered : std::nullopt));
-    }
-    m_list->viewport()->update(); // the blocked signals would have repainted it
-}
-
-// A plot with probes of its own ticks only those; all other plots share the ticks of the probes.
-void PlotPanel::tick(QTreeWidgetItem* item)
-{
-    const Entry& entry = m_probes[std::size_t(m_list->indexOfTopLevelItem(item))];
-    const bool wanted = item->checkState(0) == Qt::Checked;
-    if (wanted == isDrawn(entry))
-        return;
-    // The edit is pushed later, because it makes the list anew, and with it the item whose signal
-    // is being handled.
-    const auto push = [this, id = entry.id, wanted] {
-        Plot plot = plotOf(m_current);
-        if (!plot.probes.empty()) {
-            std::erase(plot.probes, id);
-            if (wanted)
-                plot.probes.insert(std::ranges::lower_bound(plot.probes, id), id);
-            return plot.probes.empty() ? rebuildList() : change(plot); // empty means all
-        }
-        const auto* ticked = findItem<Probe>(m_document.scene(), id);
-        const Property* property = &propertyOf<&Probe::plotted>();
-        if (ticked && ticked->plotted != wanted)
-            m_document.push({wanted ? Message("Plot %1", ticked->name)
-                                    : Message("Do not plot %1", ticked->name),
-                             {SetValues{property, {id}, {wanted}}}});
-    };
-    QMetaObject::invokeMethod(this, push, Qt::QueuedConnection);
 }
 
 void PlotPanel::changeEvent(QEvent* event)

@@ -88,11 +88,9 @@ protected:
 private:
     void layOut();
     void refresh(); // which probes and plots there are
-    void rebuildList();
     void rebuildViews();
     PlotView* newView();
     std::vector<Curve> curvesOf(const Plot& plot) const;
-    bool isDrawn(const Entry& probe) const; // in the chosen panel
     const Plot& plotOf(std::size_t view) const;
     AxisWords acrossOf(const Plot& plot) const;
     void takeSample(const ProbeSample& sample);
@@ -130,9 +128,12 @@ private:
     void takePast();
     QString nameOf(const Entry& probe) const; // and since when it is known, if not from the start
 
+    // the list of probes (plot_list.cpp)
+    void rebuildList();
     void showValues();
-    void tick(QTreeWidgetItem* item); // draws a probe, or not
-    QString unitOf(Id probe) const;   // as the newest frame has it
+    void tick(QTreeWidgetItem* item);       // draws a probe, or not
+    bool isDrawn(const Entry& probe) const; // in the chosen panel
+    QString unitOf(Id probe) const;         // as the newest frame has it
 
     // the context menu (plot_menu.cpp)
     void showMenu(const QPoint& place);

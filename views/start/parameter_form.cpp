@@ -88,12 +88,7 @@ void ParameterForm::addGroup(const Rows& rows)
     }
 }
 
-bool ParameterForm::counts(const ParameterField& field, const Parameters& values) const
-{
-    return ripstop::counts(field.parameter(), m_parameters, values);
-}
-
-// "Does nothing now, as the cloth is not ideal."
+// "Does nothing now: it counts where Cloth is "Ideal"."
 QString ParameterForm::whyIdle(const Parameter& parameter) const
 {
     const auto& [key, is] = parameter.needs;
@@ -113,7 +108,7 @@ void ParameterForm::showWhatCounts()
     for (const Group& group : m_groups) {
         int shown = 0;
         for (ParameterField* field : group.fields) {
-            const bool does = counts(*field, all);
+            const bool does = counts(field->parameter(), m_parameters, all);
             const bool isShown = does || m_idle->isOpen();
             m_form->setRowVisible(field, isShown);
             QWidget* label = m_form->labelForField(field);

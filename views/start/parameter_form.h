@@ -46,7 +46,6 @@ private:
 
     void addGroup(const std::vector<const Parameter*>& rows);
     void showWhatCounts();
-    bool counts(const ParameterField& field, const Parameters& values) const;
     QString whyIdle(const Parameter& parameter) const;
 
     std::span<const Parameter> m_parameters;
