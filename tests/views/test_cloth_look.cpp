@@ -9,6 +9,7 @@
 #include "look/bands.h"
 #include "look/color_map.h"
 #include "look/scene_frame.h"
+#include "look/theme.h"
 
 #include <Eigen/Geometry>
 #include <QTemporaryDir>
@@ -161,6 +162,44 @@ private slots:
         QVERIFY(isMostly(other.at(Vec3(0.5, 0.0, 0.0)), Qt::green));
         QVERIFY(isMostly(other.at(Vec3(0.0, -0.5, 0.0)), Qt::blue));
         QVERIFY(isMostly(other.at(Vec3(-1.0 + 0.1, 0.0, 0.0)), Qt::red)); // again after 1 m
+    }
+
+    // Streaks of wind are seen through what they are made of: what shines through is the picture,
+    // not the cloth below it.
+    void windBlowsBeforePictures()
+    {
+        const QTemporaryDir folder;
+        QImage blue(8, 8, QImage::Format_RGB888);
+        blue.fill(Qt::blue);
+        QVERIFY(blue.save(folder.filePath("blue.png")));
+        Scene scene = sheet(0.0);
+        Material& material = std::get<Material>(*findItem(scene, Id{8}));
+        material.picture = folder.filePath("blue.png").toStdString();
+        material.color = "#ff0000";
+        Wind wind;
+        wind.velocity = Vec3(8.0, 0.0, 0.0);
+        scene.items.push_back({scene.nextId, wind});
+        scene.nextId = Id{10};
+        View view(scene);
+        QVERIFY(view.isReady());
+        const auto seen = [&](bool streaks) {
+            view.viewport.setStreaksShown(streaks);
+            return view.viewport.image(Viewport::Overlays::Without);
+        };
+        const QImage still = seen(false), windy = seen(true);
+        const int most = Theme::from(view.viewport.palette()).wind.red();
+        int streaked = 0;
+        for (int y = 0; y < still.height(); ++y)
+            for (int x = 0; x < still.width(); ++x) {
+                const QColor below = still.pixelColor(x, y), above = windy.pixelColor(x, y);
+                if (below.blue() < 2 * below.green() || below.blue() < 2 * below.red()
+                    || below == above)
+                    continue; // sky, ground, or no streak
+                ++streaked;
+                QVERIFY2(above.red() <= std::max(below.red(), most) + 4,
+                         qPrintable(QString("%1 over %2").arg(above.name(), below.name())));
+            }
+        QVERIFY(streaked > 20);
     }
 
     // A strip has the area of the teeth that it stands for, and no point of it is farther from the

@@ -24,18 +24,16 @@ PanelLayer::PanelLayer()
 
 void PanelLayer::addTo(vtkRenderer& renderer)
 {
-    m_renderer = &renderer;
     renderer.AddActor(m_actor);
     m_bandDrawing.addTo(renderer);
+    renderer.AddViewProp(m_printed);
 }
 
 void PanelLayer::setShown(bool shown)
 {
     m_actor->SetVisibility(shown);
     m_bandDrawing.setShown(shown);
-    m_isShown = shown;
-    for (const auto& print : m_prints)
-        print->actor().SetVisibility(shown);
+    m_printed->SetVisibility(shown);
 }
 
 void PanelLayer::rebuild(const Picture& picture)
@@ -88,8 +86,7 @@ void PanelLayer::takePrints(const Picture& picture)
     const std::size_t count = isMaterial ? picture.look.prints.size() : 0;
     while (m_prints.size() < count) {
         m_prints.push_back(std::make_unique<PrintedCloth>(*m_mesh));
-        m_renderer->AddActor(&m_prints.back()->actor());
-        m_prints.back()->actor().SetVisibility(m_isShown);
+        m_printed->AddPart(&m_prints.back()->actor());
     }
     std::vector<std::vector<Corners>> corners(m_prints.size());
     for (const int panel : m_drawn)

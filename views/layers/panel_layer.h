@@ -16,6 +16,7 @@
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
 #include <vtkPoints.h>
+#include <vtkPropAssembly.h>
 
 namespace ripstop {
 
@@ -67,8 +68,7 @@ private:
     vtkNew<vtkPolyData> m_mesh;
     vtkNew<vtkPolyDataMapper> m_mapper;
     vtkNew<vtkActor> m_actor;
-    vtkRenderer* m_renderer = nullptr;
-    bool m_isShown = true;
+    vtkNew<vtkPropAssembly> m_printed; // keeps the place of the pictures before what comes later
 };
 
 } // namespace ripstop
