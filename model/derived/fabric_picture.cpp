@@ -1,4 +1,4 @@
-// The size is in the second line of a PNG (ISO/IEC 15948, 11.2.2), and in the frame header of a
+// The size is in the first chunk of a PNG (ISO/IEC 15948, 11.2.2), and in the frame header of a
 // JPEG (ISO/IEC 10918-1, B.2.2), which is found by going from segment to segment.
 //
 // printedPoints() lays u and v over the panels of each part in turn, finds how many metres they
@@ -18,12 +18,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double mostPixels = 64e6; // what Qt reads into 256 MiB, its limit
+
 std::uint32_t wholeNumber(const std::string& bytes, std::size_t at, std::size_t count)
 {
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < count; ++i)
         number = number << 8 | std::uint8_t(bytes[at + i]);
     return number;
+}
+
+// Whether the last chunk is there.
+bool isWholePng(std::istream& in)
+{
+    std::string head(8, '\0'); // of a chunk: the length of its data, and what it is
+    for (std::streamoff at = 8; in.seekg(at) && in.read(head.data(), 8);) {
+        constexpr int around = 12; // bytes of a chunk beside its data
+        at += around + std::streamoff(wholeNumber(head, 0, 4));
+        if (head.ends_with("IEND"))
+            return true;
+    }
+    return false;
 }
 
 std::optional<PictureSize> sizeOfJpeg(std::istream& in)
@@ -133,14 +148,19 @@ Result<PictureSize> pictureSize(const fs::path& file)
         return Failure("%1 cannot be read: check the path.", file.string());
     std::optional<PictureSize> size;
     if (in.read(head.data(), 24)) {
-        if (head.starts_with("\x89PNG\r\n\x1a\n"))
+        if (head.starts_with("\x89PNG\r\n\x1a\n")) {
+            if (!isWholePng(in))
+                return Failure("%1 is cut off: save or copy the picture again.", file.string());
             size = PictureSize{int(wholeNumber(head, 16, 4)), int(wholeNumber(head, 20, 4))};
-        else if (head.starts_with("\xff\xd8"))
+        } else if (head.starts_with("\xff\xd8"))
             size = sizeOfJpeg(in);
     }
     if (!size || size->width <= 0 || size->height <= 0)
         return Failure("%1 is neither a PNG nor a JPEG: save the picture as one of these.",
                        file.string());
+    if (double(size->width) * size->height > mostPixels)
+        return Failure("%1 has %2 x %3 pixels: make it smaller, of 64 million at most.",
+                       file.string(), size->width, size->height);
     return *size;
 }
 

@@ -23,7 +23,8 @@ struct PictureSize
     int height;
 };
 
-// From the first bytes of a PNG or JPEG. The message names the file and what to do.
+// Of a PNG or JPEG, without reading more of it than where its pieces begin. The message names the
+// file and what to do; one that ends too early or is too large to be drawn is such a case.
 Result<PictureSize> pictureSize(const std::filesystem::path& file);
 
 // What keeps the picture of a material from being printed, as a sentence, or nothing.

@@ -2470,6 +2470,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="fabric_picture.cpp"/>
+        <source>%1 has %2 x %3 pixels: make it smaller, of 64 million at most.</source>
+        <translation>%1 a %2 x %3 pixels : réduisez-la à 64 millions au plus.</translation>
+    </message>
+    <message>
+        <location filename="fabric_picture.cpp"/>
+        <source>%1 is cut off: save or copy the picture again.</source>
+        <translation>%1 est tronquée : enregistrez ou copiez l’image de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="fabric_picture.cpp"/>
         <source>%1 is neither a PNG nor a JPEG: save the picture as one of these.</source>
         <translation>%1 n’est ni un PNG ni un JPEG : enregistrer l’image sous l’un de ces formats.</translation>
     </message>
@@ -6404,6 +6414,26 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>L’ombre autour d’une courbe dit de combien ses valeurs peuvent s’écarter, d’après le certificat de cette simulation. Elle finit là où la simulation n’est plus celle qui a été certifiée.</translation>
     </message>
     <message>
+        <location filename="plot_list.cpp"/>
+        <source>Do not plot %1</source>
+        <translation>Ne pas tracer %1</translation>
+    </message>
+    <message>
+        <location filename="plot_list.cpp"/>
+        <source>Plot %1</source>
+        <translation>Tracer %1</translation>
+    </message>
+    <message>
+        <location filename="plot_list.cpp"/>
+        <source>at %1 s</source>
+        <translation>à %1 s</translation>
+    </message>
+    <message>
+        <location filename="plot_list.cpp"/>
+        <source>now</source>
+        <translation>maintenant</translation>
+    </message>
+    <message>
         <location filename="plot_menu.cpp"/>
         <source>%1 cannot be written.</source>
         <translation>%1 ne peut pas être écrit.</translation>
@@ -6555,33 +6585,13 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
-        <source>Do not plot %1</source>
-        <translation>Ne pas tracer %1</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
         <source>No probes. Add one in the outline to plot it.</source>
         <translation>Aucune sonde. En ajouter une dans l’arborescence pour la tracer.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
-        <source>Plot %1</source>
-        <translation>Tracer %1</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
         <source>Tick a probe to plot it.</source>
         <translation>Cocher une sonde pour tracer sa courbe.</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>at %1 s</source>
-        <translation>à %1 s</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>now</source>
-        <translation>maintenant</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>

@@ -20,9 +20,11 @@ namespace ripstop::test_fabric_picture {
 
 namespace {
 
-// The start of a PNG of 30 by 20 pixels, and a JPEG of the same with a segment before its frame.
+// The first and the last chunk of a PNG of 30 by 20 pixels, and a JPEG of the same with a segment
+// before its frame.
 const QByteArray png =
-    QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000001e000000140802000000");
+    QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000001e000000140802000000"
+                        "15c91a930000000049454e44ae426082");
 const QByteArray jpeg = QByteArray::fromHex("ffd8ffe000104a46494600010100000100010000"
                                             "ffc0001108001400"
                                             "1e03012200021101031101");
@@ -90,6 +92,21 @@ private slots:
         QVERIFY(
             !pictureSize(written(folder, "a.txt", "no picture at all, but long").toStdString()));
         QVERIFY(!pictureSize(folder.filePath("none.png").toStdString()));
+    }
+
+    // A picture that views cannot read is named, or the fabric would be plain without a word.
+    void whatCannotBeDrawnIsSaid()
+    {
+        const QTemporaryDir folder;
+        const auto said = [&](const QByteArray& bytes) {
+            const Scene scene = sheet(written(folder, "a.png", bytes).toStdString());
+            const auto warning = pictureWarning(scene, *findItem<Material>(scene, Id{8}));
+            return QByteArray::fromStdString(warning ? warning->english() : "");
+        };
+        QVERIFY(said(png).isEmpty());
+        QVERIFY(said(png.chopped(12)).contains("a.png is cut off"));
+        QVERIFY(said(QByteArray(png).replace(16, 8, QByteArray::fromHex("00004e2000004e20")))
+                    .contains("20000 x 20000"));
     }
 
     void placesFollowFromUAndV()

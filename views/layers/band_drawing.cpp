@@ -30,13 +30,15 @@ std::array<float, Size>* rowsOf(vtkFloatArray& array, std::size_t count)
 
 } // namespace
 
-BandDrawing::BandDrawing()
+BandDrawing::BandDrawing(BandKind kind)
+    : m_kind(kind)
 {
     joinCloth(*m_mesh, *m_points, *m_normals, *m_onCloth);
     m_mapper->SetInputData(m_mesh);
-    // before the panels that they lie on, behind the links
+    // before the panels that they lie on, seams before borders, both behind the links
+    const double depth = kind == BandKind::Sewn ? 0.0 : 0.5;
     m_mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, 1.0);
+    m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(depth, 2.0 * depth);
     m_actor->SetMapper(m_mapper);
     addClothShader(*m_actor, *m_mapper);
 }
@@ -53,7 +55,7 @@ void BandDrawing::rebuild(const std::vector<BandPiece>& pieces, const ClothVerti
     std::vector<Color> colors;
     vtkNew<vtkCellArray> cells;
     for (const BandPiece& piece : pieces) {
-        if (!present[piece.panel])
+        if (piece.kind != m_kind || !present[piece.panel])
             continue;
         cells->InsertNextCell(int(piece.corners.size()));
         for (const auto& shares : piece.corners) {
@@ -61,7 +63,7 @@ void BandDrawing::rebuild(const std::vector<BandPiece>& pieces, const ClothVerti
             const Corners& panel = vertices.corners[piece.panel];
             m_mixtures.push_back({panel, shares});
             onCloth.push_back(mixed<4>(vertices.point, panel, shares));
-            onCloth.back()[2] *= piece.isSewn ? layersThrough : 1.0F;
+            onCloth.back()[2] *= m_kind == BandKind::Sewn ? layersThrough : 1.0F;
         }
         colors.push_back(piece.color);
     }

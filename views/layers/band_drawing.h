@@ -1,4 +1,5 @@
-// The bands of the fabric (look/bands.h), drawn by the panel layer on top of the panels.
+// Bands of the fabric of one kind (look/bands.h), drawn by the panel layer on top of the panels:
+// borders, and what is sewn on top of these.
 //
 // It has vertices of its own, each a mixture of those of one panel, and the same cloth as they.
 #pragma once
@@ -17,7 +18,7 @@ namespace ripstop {
 class BandDrawing
 {
 public:
-    BandDrawing();
+    explicit BandDrawing(BandKind kind); // draws the pieces of this kind
 
     void addTo(vtkRenderer& renderer);
     void setShown(bool shown);
@@ -39,6 +40,7 @@ private:
         std::array<float, 3> shares;
     };
 
+    BandKind m_kind;
     std::vector<Mixture> m_mixtures; // [vertices] here
     ColorArray m_colors;
     vtkNew<vtkPoints> m_points;

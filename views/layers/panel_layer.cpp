@@ -25,14 +25,16 @@ PanelLayer::PanelLayer()
 void PanelLayer::addTo(vtkRenderer& renderer)
 {
     renderer.AddActor(m_actor);
-    m_bandDrawing.addTo(renderer);
+    for (BandDrawing& bands : m_bandDrawings)
+        bands.addTo(renderer);
     renderer.AddViewProp(m_printed);
 }
 
 void PanelLayer::setShown(bool shown)
 {
     m_actor->SetVisibility(shown);
-    m_bandDrawing.setShown(shown);
+    for (BandDrawing& bands : m_bandDrawings)
+        bands.setShown(shown);
     m_printed->SetVisibility(shown);
 }
 
@@ -55,7 +57,9 @@ void PanelLayer::rebuild(const Picture& picture)
 void PanelLayer::takeLight(const Picture& picture)
 {
     const bool isMaterial = picture.colorBy == ColorBy::Material;
-    std::vector<vtkProperty*> properties{m_actor->GetProperty(), &m_bandDrawing.property()};
+    std::vector<vtkProperty*> properties{m_actor->GetProperty()};
+    for (BandDrawing& bands : m_bandDrawings)
+        properties.push_back(&bands.property());
     for (const auto& print : m_prints)
         properties.push_back(print->actor().GetProperty());
     for (vtkProperty* property : properties) {
@@ -76,8 +80,9 @@ void PanelLayer::takeBands(const Picture& picture)
         m_bands = bandsOf(m_panels, m_onSheet, *m_layout, look);
     m_seen = seen;
     const bool isMaterial = picture.colorBy == ColorBy::Material;
-    m_bandDrawing.rebuild(isMaterial ? m_bands.pieces : std::vector<BandPiece>{}, m_vertices,
-                          m_present);
+    for (BandDrawing& bands : m_bandDrawings)
+        bands.rebuild(isMaterial ? m_bands.pieces : std::vector<BandPiece>{}, m_vertices,
+                      m_present);
 }
 
 void PanelLayer::takePrints(const Picture& picture)
@@ -163,7 +168,8 @@ void PanelLayer::takePoints(const Picture& picture)
     m_points->Modified();
     m_normals->Modified();
     const std::size_t count = m_vertices.particle.size();
-    m_bandDrawing.update({point - count, count}, {normal - count, count});
+    for (BandDrawing& bands : m_bandDrawings)
+        bands.update({point - count, count}, {normal - count, count});
 }
 
 void PanelLayer::paint(const Picture& picture)

@@ -55,7 +55,8 @@ private:
     };
     SeenLook m_seen;
     Bands m_bands;
-    BandDrawing m_bandDrawing;
+    std::array<BandDrawing, 2> m_bandDrawings{BandDrawing(BandKind::Border),
+                                              BandDrawing(BandKind::Sewn)};
     std::vector<std::unique_ptr<PrintedCloth>> m_prints; // as many as there ever were
     std::vector<Look::Cloth> m_cloth;                    // [panels] as it was laid
     std::vector<std::array<ClothPoint, 3>> m_onSheet;    // [panels]

@@ -117,7 +117,7 @@ struct Ink
 {
     double width; // m
     Color color;
-    bool isSewn;
+    BandKind kind;
 };
 
 class Cutter
@@ -161,7 +161,7 @@ private:
     {
         auto piece = nearer(away, ink.width);
         if (piece.size() >= 3)
-            m_bands.pieces.push_back({panel, ink.color, ink.isSewn, std::move(piece)});
+            m_bands.pieces.push_back({panel, ink.color, ink.kind, std::move(piece)});
     }
 
     const Fabric& m_fabric;
@@ -198,7 +198,7 @@ public:
             const auto& [area, length] = sums[root(int(i))];
             const Color color = m_look.panelColor[tooth.panel];
             bands.panelColor[tooth.panel] = tooth.below;
-            cutter.strip(tooth.panel, tooth.side, {area / length, color, false});
+            cutter.strip(tooth.panel, tooth.side, {area / length, color, BandKind::Border});
         }
     }
 
@@ -292,7 +292,7 @@ void sew(const Fabric& fabric, const Layout& layout, const Look& look, Cutter& c
         const auto both = fabric.at(side);
         const double width = both.size() == 1 ? seamWidth : 0.5 * seamWidth;
         for (const auto& [shared, panel] : both)
-            cutter.strip(panel, side, {width, look.linkColor[i], true});
+            cutter.strip(panel, side, {width, look.linkColor[i], BandKind::Sewn});
     }
 }
 

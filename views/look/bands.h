@@ -14,12 +14,14 @@
 
 namespace ripstop {
 
+enum class BandKind { Border, Sewn }; // of one layer of cloth, and of several that lie above it
+
 // A convex piece of a panel.
 struct BandPiece
 {
     int panel; // index
     Color color;
-    bool isSewn;                               // of several layers of cloth
+    BandKind kind;
     std::vector<std::array<float, 3>> corners; // shares of the corners of the panel, 1
 };
 
