@@ -30,6 +30,7 @@
 #include <QMenuBar>
 #include <QSettings>
 
+#include <algorithm>
 #include <array>
 
 namespace ripstop {
@@ -51,7 +52,9 @@ static_assert(colorings.size() == colorByCount);
 // Whether the row shows or hides something in the view, or is one of the ways of colouring it.
 bool isOfView(const MenuRow& row)
 {
-    return row.toggle != Toggle::No && QLatin1String(row.menu) == "&View";
+    static constexpr std::array menus{"&View", "&View/&Colours", "&View/Sho&w"};
+    const auto isNamed = [&](const char* menu) { return qstrcmp(menu, row.menu) == 0; };
+    return row.toggle != Toggle::No && std::ranges::any_of(menus, isNamed);
 }
 
 } // namespace

@@ -65,7 +65,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     , m_figures(new QLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel
                                      | QDialogButtonBox::RestoreDefaults))
-    , m_ideal(m_buttons->addButton(tr("The papers'"), QDialogButtonBox::ResetRole))
+    , m_ideal(m_buttons->addButton(tr("Ideal, as in the papers"), QDialogButtonBox::ResetRole))
     , m_worker(outcomeOf, [this] {
         QMetaObject::invokeMethod(this, &BuilderDialog::collect, Qt::QueuedConnection);
     })

@@ -27,11 +27,11 @@ QString sizeInWords(double bytes)
 }
 
 std::vector<std::filesystem::path> filesOf(const ExportChoice& choice, const QString& target,
-                                           std::size_t frames)
+                                           std::size_t frames, const MeshAppearance& appearance)
 {
     const std::filesystem::path path = target.toStdString();
     if (choice.mesh())
-        return ripstop::filesOf(*choice.mesh(), path, frames);
+        return ripstop::filesOf(*choice.mesh(), path, frames, appearance);
     std::vector<std::filesystem::path> files;
     if (choice.film() && !choice.film()->codec)
         for (std::size_t i = 0; i < frames; ++i)
@@ -46,9 +46,14 @@ QString nameOf(const std::filesystem::path& file)
     return QString::fromStdString(file.filename().string());
 }
 
-// "a.obj", "a.pc2 and a.obj", "a_0000.obj to a_0250.obj"
-QString inWords(const std::vector<std::filesystem::path>& files)
+// "a.obj", "a.pc2 and a.obj", "a_0000.obj to a_0250.obj", "a.obj, and its materials in a.mtl"
+QString inWords(std::vector<std::filesystem::path> files)
 {
+    if (files.size() > 1 && files.back().extension() == ".mtl") {
+        const QString materials = nameOf(files.back());
+        files.pop_back();
+        return tr("%1, and the materials in %2").arg(inWords(std::move(files)), materials);
+    }
     if (files.size() == 1)
         return nameOf(files[0]);
     if (files.size() == 2)
@@ -158,22 +163,23 @@ std::vector<ExportChoice> exportChoices()
     return choices;
 }
 
-QStringList replacedBy(const ExportChoice& choice, const QString& target, std::size_t frames)
+QStringList replacedBy(const ExportChoice& choice, const QString& target, std::size_t frames,
+                       const MeshAppearance& appearance)
 {
     QStringList there;
-    for (const std::filesystem::path& file : filesOf(choice, target, frames))
+    for (const std::filesystem::path& file : filesOf(choice, target, frames, appearance))
         if (std::error_code error; std::filesystem::exists(file, error))
             there << QString::fromStdString(file.string());
     return there;
 }
 
 QString previewOf(const ExportChoice& choice, const QString& target, const ExportRange& range,
-                  const Frame* now, QSize picture)
+                  const MeshAppearance& appearance, const Frame* now, QSize picture)
 {
     const std::size_t frames = choice.isSeries() ? frameCount(range) : 1;
-    QString text = tr("Writes %1.").arg(inWords(filesOf(choice, target, frames))) + ' '
+    QString text = tr("Writes %1.").arg(inWords(filesOf(choice, target, frames, appearance))) + ' '
                    + contentInWords(choice, range, now, picture);
-    const QStringList there = replacedBy(choice, target, frames);
+    const QStringList there = replacedBy(choice, target, frames, appearance);
     if (there.size() == 1)
         text += ' ' + tr("%1 is there and will be replaced.").arg(QFileInfo(there[0]).fileName());
     else if (!there.isEmpty())

@@ -87,6 +87,7 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
                            QWidget* parent)
     : QDialog(parent)
     , m_scene(matter.scene)
+    , m_appearance(m_scene)
     , m_now(matter.now)
     , m_recording(matter.recording)
     , m_stem(stem)
@@ -329,7 +330,7 @@ void ExportDialog::showPreview()
     m_go->setEnabled(why.isEmpty());
     if (!why.isEmpty())
         return m_message->setText(why);
-    QString text = previewOf(choice(), target(), range(), m_now.get(),
+    QString text = previewOf(choice(), target(), range(), m_appearance, m_now.get(),
                              QSize(m_width->value(), m_height->value()));
     if (choice().isFlown())
         text += ' '
@@ -374,7 +375,7 @@ QString ExportDialog::writeNow() const
         return tr("There is nothing on the screen to export; see the list of problems.");
     const std::filesystem::path file = target().toStdString();
     const auto* table = std::get_if<RunTable>(&choice().what);
-    const auto failure = !table ? writeMoment(*m_now, MeshAppearance(m_scene), file)
+    const auto failure = !table ? writeMoment(*m_now, m_appearance, file)
                          : *table == RunTable::Tears
                              ? writeTears(m_scene, *m_now, file)
                              : writeControlTrack(m_scene, trackOf(*m_now), file);
@@ -385,7 +386,7 @@ Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
 {
     if (const FilmFormat* film = job.choice.film())
         return openFilm(*film, job.target, job.picturesPerSecond, drawnBy(this, m_draw, job.look));
-    return openSink(*job.choice.mesh(), job.target.toStdString(), MeshAppearance(m_scene));
+    return openSink(*job.choice.mesh(), job.target.toStdString(), m_appearance);
 }
 
 QString ExportDialog::writeBundle(const Job& job)
@@ -439,7 +440,7 @@ bool ExportDialog::mayWrite()
 {
     const QString file = target();
     const QStringList there =
-        replacedBy(choice(), file, choice().isSeries() ? frameCount(range()) : 1);
+        replacedBy(choice(), file, choice().isSeries() ? frameCount(range()) : 1, m_appearance);
     if (there.isEmpty() || (there == QStringList{file} && file == m_mayReplace))
         return true;
     const QString question =

@@ -104,6 +104,7 @@ private:
     Job job() const;
 
     const Scene m_scene;
+    const MeshAppearance m_appearance; // of it
     const std::shared_ptr<const Frame> m_now;
     const std::shared_ptr<const Recording> m_recording;
     const QString m_stem;

@@ -231,7 +231,8 @@ double expectedSize(const ExportFormat& format, const Layout& layout, std::size_
 }
 
 std::vector<std::filesystem::path> filesOf(const ExportFormat& format,
-                                           const std::filesystem::path& target, std::size_t frames)
+                                           const std::filesystem::path& target, std::size_t frames,
+                                           const MeshAppearance& appearance)
 {
     std::vector<std::filesystem::path> files;
     if (isNumbered(target.filename().string()))
@@ -243,6 +244,11 @@ std::vector<std::filesystem::path> filesOf(const ExportFormat& format,
         files.push_back(std::filesystem::path(target).replace_extension(".obj"));
     if (format.beside == Beside::Folder)
         files.push_back(target.parent_path() / target.stem());
+    for (const std::filesystem::path& file : {files.front(), files.back()})
+        if (const auto materials = objMaterials(file, appearance)) {
+            files.push_back(materials->file);
+            break;
+        }
     return files;
 }
 

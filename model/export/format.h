@@ -55,8 +55,10 @@ Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
 // Bytes, about, for as many frames like this one.
 double expectedSize(const ExportFormat& format, const Layout& layout, std::size_t frames);
 
-// What a series of so many frames becomes, the target first; a folder stands for what is in it.
+// What a series of so many frames becomes, the target first, and the materials of OBJ files last; a
+// folder stands for what is in it.
 std::vector<std::filesystem::path> filesOf(const ExportFormat& format,
-                                           const std::filesystem::path& target, std::size_t frames);
+                                           const std::filesystem::path& target, std::size_t frames,
+                                           const MeshAppearance& appearance);
 
 } // namespace ripstop

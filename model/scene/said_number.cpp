@@ -14,7 +14,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double nothing = 1e-9; // in SI: what is less is an error of rounding
+constexpr double nothing = 1e-9;          // in SI: what is less is an error of rounding
+constexpr double nothingInPercent = 1e-4; // a strain of 1e-6, which nobody measures on fabric
 
 // Of the unit alone, as far as the first sign that joins it with others.
 struct Prefixes
@@ -124,7 +125,7 @@ std::string plainNumber(double number, int digits)
 
 bool isNothing(double value, std::string_view unit)
 {
-    return std::abs(value) < (unit == "%" ? 100.0 * nothing : nothing);
+    return std::abs(value) < (unit == "%" ? nothingInPercent : nothing);
 }
 
 Message saidNumber(double value, std::string_view unit, int digits)

@@ -17,8 +17,9 @@ std::vector<std::string> columnsOf(const OpenedStudy& opened)
     std::vector<std::string> columns{"point"};
     for (const StudyVariable& variable : opened.study.variables)
         columns.push_back(variable.name);
-    for (const char* name : {"time (s)", "steps", "hash", "torn links", "first tear (s)",
-                             "first tear load", "first torn", "stopped", "accuracy"})
+    for (const char* name :
+         {"time (s)", "steps", "hash", "torn links", "first tear (s)", "first tear load",
+          "unit of that load", "first torn", "stopped", "accuracy"})
         columns.emplace_back(name);
     columns.insert(columns.end(), opened.headings.begin(), opened.headings.end());
     const std::vector<std::string> titles = objectiveTitles(opened);
@@ -41,7 +42,7 @@ std::vector<std::string> rowOf(const OpenedStudy& opened, std::size_t point,
         row.push_back(std::move(value));
     row.insert(row.end(), {numberCell(flight.time), std::to_string(flight.steps), flight.hash,
                            std::to_string(flight.torn), numberCell(flight.firstTear),
-                           numberCell(flight.firstTearLoad),
+                           numberCell(flight.firstTearLoad), flight.firstTearUnit,
                            flight.torn > 0 ? std::to_string(flight.firstTorn) : "",
                            flight.whyEarly(), flight.inaccurate});
     for (std::size_t i = 0; i < opened.headings.size(); ++i)

@@ -245,6 +245,11 @@
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
+        <source>Ideal, as in the papers</source>
+        <translation>Idéal, comme dans les articles</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
         <source>Insert</source>
         <translation>Insérer</translation>
     </message>
@@ -282,11 +287,6 @@
         <location filename="builder_dialog.cpp"/>
         <source>The design shows the outcome while this dialog is open.</source>
         <translation>Le modèle montre le résultat tant que cette fenêtre est ouverte.</translation>
-    </message>
-    <message>
-        <location filename="builder_dialog.cpp"/>
-        <source>The papers'</source>
-        <translation>Des articles</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -2175,6 +2175,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
+        <source>%1, and the materials in %2</source>
+        <translation>%1, et les matières dans %2</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
         <source>A row for each link that broke: when, where, at which strain and force.</source>
         <translation>Un rang pour chaque liaison rompue : quand, où, à quelle déformation et quelle force.</translation>
     </message>
@@ -2475,8 +2480,13 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="fabric_picture.cpp"/>
-        <source>%1 is cut off: save or copy the picture again.</source>
-        <translation>%1 est tronquée : enregistrez ou copiez l’image de nouveau.</translation>
+        <source>%1 has more than 256 MiB: make it smaller.</source>
+        <translation>%1 a plus de 256 Mio : réduisez-la.</translation>
+    </message>
+    <message>
+        <location filename="fabric_picture.cpp"/>
+        <source>%1 is cut off or damaged: save or copy the picture again.</source>
+        <translation>%1 est tronquée ou endommagée : enregistrez ou copiez l’image de nouveau.</translation>
     </message>
     <message>
         <location filename="fabric_picture.cpp"/>
@@ -4476,6 +4486,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>Worst of the run</source>
+        <translation>Pires du vol</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>Worst places now</source>
         <translation>Pires endroits maintenant</translation>
     </message>
@@ -4483,11 +4498,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_panel.cpp"/>
         <source>Worst places of the run</source>
         <translation>Pires endroits de la simulation</translation>
-    </message>
-    <message>
-        <location filename="load_panel.cpp"/>
-        <source>Worst so far</source>
-        <translation>Jusqu’ici</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -17118,6 +17128,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>&amp;Colours</source>
+        <translation>&amp;Couleurs</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>&amp;Corner</source>
         <translation>De trois &amp;quarts</translation>
     </message>
@@ -17130,6 +17145,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="view_rows.cpp"/>
         <source>&amp;Left</source>
         <translation>De &amp;gauche</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Look from</source>
+        <translation>&amp;Regarder de</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -17425,6 +17445,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="view_rows.cpp"/>
         <source>Reduce motion</source>
         <translation>Réduire les animations</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Afficher</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>

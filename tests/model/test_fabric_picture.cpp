@@ -21,13 +21,14 @@ namespace ripstop::test_fabric_picture {
 namespace {
 
 // The first and the last chunk of a PNG of 30 by 20 pixels, and a JPEG of the same with a segment
-// before its frame.
+// before its frame, and 0xff and a mark of beginning anew within its picture.
 const QByteArray png =
     QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000001e000000140802000000"
                         "15c91a930000000049454e44ae426082");
 const QByteArray jpeg = QByteArray::fromHex("ffd8ffe000104a46494600010100000100010000"
                                             "ffc0001108001400"
-                                            "1e03012200021101031101");
+                                            "1e03012200021101031101"
+                                            "ffda00080101003f0012ff0034ffd056ffd9");
 
 QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& bytes)
 {
@@ -105,6 +106,11 @@ private slots:
         };
         QVERIFY(said(png).isEmpty());
         QVERIFY(said(png.chopped(12)).contains("a.png is cut off"));
+        QVERIFY(
+            said(QByteArray(png).replace(25, 1, "\x03")).contains("a.png is cut off or damaged"));
+        QVERIFY(said(jpeg).isEmpty());
+        QVERIFY(said(jpeg.chopped(2)).contains("cut off or damaged"));
+        QVERIFY(said(jpeg + "of the camera").isEmpty());
         QVERIFY(said(QByteArray(png).replace(16, 8, QByteArray::fromHex("00004e2000004e20")))
                     .contains("20000 x 20000"));
     }

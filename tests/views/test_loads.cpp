@@ -98,6 +98,14 @@ private slots:
         QCOMPARE(row.text(LoadList::Strength), QString("40\u00a0N"));
         QCOMPARE(row.text(LoadList::Place), QString("dacron, link 4"));
 
+        // An instant that is looked back at knows the worst now, and of the run what the run knows.
+        auto past = std::make_shared<Frame>(*bench.player.frame());
+        past->worstOfRun = {};
+        bench.player.lookAt(past);
+        QTRY_VERIFY(bench.player.isLookingBack());
+        QTest::qWait(300); // longer than the panel waits
+        QCOMPARE(bench.panel.ofRun().topLevelItemCount(), 1);
+
         QSignalSpy chosen(&bench.panel, &LoadPanel::chosen);
         QTest::mouseClick(bench.panel.now().viewport(), Qt::LeftButton, {},
                           bench.panel.now().visualItemRect(&row).center());

@@ -47,6 +47,7 @@ public:
     double speed() const { return m_speed; }
     // What is shown: the newest instant, or one that is looked back at. Null before the first.
     const std::shared_ptr<const Frame>& frame() const { return m_past ? m_past : m_frame; }
+    const std::shared_ptr<const Frame>& newest() const { return m_frame; }
 
     // Why there is nothing to play ("particle 3 is free and has no mass ..."), or empty.
     QString problem() const;

@@ -40,7 +40,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     , m_empty(new QLabel)
     , m_materials(new QPushButton(tr("Select the materials")))
     , m_now(new LoadList(tr("Worst now"), tr("Worst places now")))
-    , m_ofRun(new LoadList(tr("Worst so far"), tr("Worst places of the run")))
+    , m_ofRun(new LoadList(tr("Worst of the run"), tr("Worst places of the run")))
     , m_unjudged(new QLabel)
     , m_untearable(new QLabel)
 {
@@ -142,18 +142,26 @@ void LoadPanel::catchUp()
     refresh();
 }
 
+// Of the run that is looked back at, if it is the present one: no recording keeps its own.
+WorstPlaces LoadPanel::worstOfRun() const
+{
+    const Frame* newest = m_player.newest().get();
+    const Frame* shown = m_player.frame().get();
+    return newest && shown && newest->run == shown->run ? newest->worstOfRun : WorstPlaces{};
+}
+
 void LoadPanel::refresh()
 {
     const Frame* frame = m_player.frame().get();
-    const bool isListed =
-        frame && !(frame->worstNow.all().empty() && frame->worstOfRun.all().empty());
+    const WorstPlaces ofRun = worstOfRun();
+    const bool isListed = frame && !(frame->worstNow.all().empty() && ofRun.all().empty());
     m_pages->setCurrentIndex(isListed ? 1 : 0);
     if (!isListed)
         return tellWhyNone(frame);
     if (!isVisible())
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
-    m_ofRun->showPlaces(m_document.scene(), frame->worstOfRun.all());
+    m_ofRun->showPlaces(m_document.scene(), ofRun.all());
     if (std::exchange(m_isEdited, false)) {
         showUnjudged();
         showUntearable();

@@ -48,6 +48,7 @@ private:
     QWidget* emptyPage();
     QWidget* listPage();
     void choose(quint32 element);
+    WorstPlaces worstOfRun() const;
     void refresh();
     void tellWhyNone(const Frame* frame);
     void showUnjudged();
