@@ -264,7 +264,8 @@ ExportDialog::Job ExportDialog::job() const
              .overlays = m_overlays->isChecked(),
              .time = m_time->isChecked(),
              .probes = m_probes->isChecked(),
-             .transparent = m_transparent->isChecked()}};
+             .transparent = m_transparent->isChecked(),
+             .inPercent = sharesOf(m_scene)}};
 }
 
 // A recording has a beginning and an end; what is simulated goes on as long as one likes.

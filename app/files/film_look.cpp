@@ -1,17 +1,28 @@
 #include "files/film_look.h"
 
 #include "document/spoken.h"
+#include "scene/scene.h"
 
 #include <QCoreApplication>
 #include <QFontDatabase>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
-namespace {
 
-QStringList linesOf(const Frame& frame, const FilmLook& look)
+std::vector<std::uint32_t> sharesOf(const Scene& scene)
+{
+    std::vector<std::uint32_t> ids;
+    for (const Entry& entry : scene.items)
+        if (const auto* probe = std::get_if<Probe>(&entry.item);
+            probe && isSaidInPercent(probe->quantity))
+            ids.push_back(std::uint32_t(entry.id));
+    return ids;
+}
+
+QStringList captionOf(const Frame& frame, const FilmLook& look)
 {
     QStringList lines;
     if (look.time)
@@ -20,19 +31,18 @@ QStringList linesOf(const Frame& frame, const FilmLook& look)
         const Layout::Probe& probe = frame.layout->probes[i];
         if (!probe.plotted)
             continue;
+        const bool isShare = std::ranges::count(look.inPercent, probe.id) > 0;
         const QString value = std::isfinite(frame.probe[i])
-                                  ? spokenText(frame.probe[i], probe.unit)
+                                  ? readingText(isShare, frame.probe[i], probe.unit)
                                   : QCoreApplication::translate("Film", "none");
         lines << QString::fromStdString(probe.name) + QStringLiteral("  ") + value;
     }
     return lines;
 }
 
-} // namespace
-
 void paintCaption(QImage& picture, const Frame& frame, const FilmLook& look)
 {
-    const QStringList lines = linesOf(frame, look);
+    const QStringList lines = captionOf(frame, look);
     if (lines.isEmpty() || picture.isNull())
         return;
     QPainter painter(&picture);

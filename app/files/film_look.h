@@ -8,8 +8,14 @@
 
 #include <QImage>
 #include <QSize>
+#include <QStringList>
+
+#include <cstdint>
+#include <vector>
 
 namespace ripstop {
+
+struct Scene;
 
 struct FilmLook
 {
@@ -18,7 +24,14 @@ struct FilmLook
     bool time = true;
     bool probes = false; // those probes that are plotted
     bool transparent = false;
+    std::vector<std::uint32_t> inPercent = {}; // ids of probes, see sharesOf()
 };
+
+// The probes that read strains and other shares, which people say in percent. By id.
+std::vector<std::uint32_t> sharesOf(const Scene& scene);
+
+// What paintCaption() writes.
+QStringList captionOf(const Frame& frame, const FilmLook& look);
 
 // Writes time and probes into the upper left corner, in letters that fit the picture.
 void paintCaption(QImage& picture, const Frame& frame, const FilmLook& look);

@@ -8,24 +8,12 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "shapes/shape_files.h"
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
 namespace ripstop {
-
-struct PictureSize
-{
-    int width; // pixels
-    int height;
-};
-
-// Of a PNG or JPEG, without reading more of it than where its pieces begin. The message names the
-// file and what to do; one that ends too early or is too large to be drawn is such a case.
-Result<PictureSize> pictureSize(const std::filesystem::path& file);
 
 // What keeps the picture of a material from being printed, as a sentence, or nothing.
 std::optional<Message> pictureWarning(const Scene& scene, const Material& material);

@@ -4,6 +4,7 @@
 // pictures; then a film that is cancelled, and a window that is closed meanwhile.
 #include "app/window_shop.h"
 #include "files/export_dialog.h"
+#include "files/film_look.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -85,6 +86,24 @@ class TestFilm : public QObject
     Q_OBJECT
 
 private slots:
+    void captionSaysSharesInPercent()
+    {
+        Scene scene;
+        Probe strain, pull;
+        strain.quantity = Quantity::MaxStrain;
+        pull.quantity = Quantity::Tension;
+        scene.items = {{Id{7}, strain}, {Id{8}, pull}};
+        auto layout = std::make_shared<Layout>();
+        layout->probes = {{7, "max strain", "", true}, {8, "pull", "N", true}};
+        Frame frame;
+        frame.layout = layout;
+        frame.probe = {0.0021, 0.5};
+        FilmLook look{.time = false, .probes = true};
+        look.inPercent = sharesOf(scene);
+        QCOMPARE(captionOf(frame, look),
+                 (QStringList{"max strain  0.21\u00a0%", "pull  0.5\u00a0N"}));
+    }
+
     void films_data()
     {
         QTest::addColumn<QString>("format");

@@ -8,6 +8,7 @@
 #include "compile/compile.h"
 #include "export/export_run.h"
 #include "io/scene_file.h"
+#include "shapes/picture_file.h"
 #include "simulation/simulation.h"
 
 #include <QFile>
