@@ -98,11 +98,16 @@ private:
 
 } // namespace
 
+std::filesystem::path placeOfPicture(const Scene& scene, const Material& material)
+{
+    return placeOfFile(scene.folder.path, material.picture);
+}
+
 std::optional<Message> pictureWarning(const Scene& scene, const Material& material)
 {
     if (material.picture.empty())
         return std::nullopt;
-    const auto size = pictureSize(placeOfFile(scene.folder.path, material.picture));
+    const auto size = pictureSize(placeOfPicture(scene, material));
     if (size)
         return std::nullopt;
     return Message("Material %1 is drawn without its picture: %2", material.name, size.message());
@@ -113,7 +118,7 @@ std::vector<PrintedPoint> printedPoints(const Scene& scene, Id id)
     const Material* material = findItem<Material>(scene, id);
     if (!material || material->picture.empty())
         return {};
-    const auto size = pictureSize(placeOfFile(scene.folder.path, material->picture));
+    const auto size = pictureSize(placeOfPicture(scene, *material));
     if (!size)
         return {};
     const double angle = material->pictureTurn * std::numbers::pi / 180.0;

@@ -10,10 +10,14 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
 namespace ripstop {
+
+// The file that the material names, beside the file of the scene unless its path is a whole one.
+std::filesystem::path placeOfPicture(const Scene& scene, const Material& material);
 
 // What keeps the picture of a material from being printed, as a sentence, or nothing.
 std::optional<Message> pictureWarning(const Scene& scene, const Material& material);

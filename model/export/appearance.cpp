@@ -38,7 +38,7 @@ MeshAppearance::MeshAppearance(const Scene& scene)
             for (const PrintedPoint& point : printedPoints(scene, entry.id))
                 m_prints.back().emplace_back(point.particle, point.at);
             if (!m_prints.back().empty())
-                m_fabrics.back().picture = placeOfFile(scene.folder.path, material->picture);
+                m_fabrics.back().picture = placeOfPicture(scene, *material);
         }
     std::ranges::sort(materials);
 

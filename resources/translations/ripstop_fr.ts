@@ -2470,31 +2470,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="fabric_picture.cpp"/>
-        <source>%1 cannot be read: check the path.</source>
-        <translation>%1 ne peut pas être lu : vérifier le chemin.</translation>
-    </message>
-    <message>
-        <location filename="fabric_picture.cpp"/>
-        <source>%1 has %2 x %3 pixels: make it smaller, of 64 million at most.</source>
-        <translation>%1 a %2 x %3 pixels : réduisez-la à 64 millions au plus.</translation>
-    </message>
-    <message>
-        <location filename="fabric_picture.cpp"/>
-        <source>%1 has more than 256 MiB: make it smaller.</source>
-        <translation>%1 a plus de 256 Mio : réduisez-la.</translation>
-    </message>
-    <message>
-        <location filename="fabric_picture.cpp"/>
-        <source>%1 is cut off or damaged: save or copy the picture again.</source>
-        <translation>%1 est tronquée ou endommagée : enregistrez ou copiez l’image de nouveau.</translation>
-    </message>
-    <message>
-        <location filename="fabric_picture.cpp"/>
-        <source>%1 is neither a PNG nor a JPEG: save the picture as one of these.</source>
-        <translation>%1 n’est ni un PNG ni un JPEG : enregistrer l’image sous l’un de ces formats.</translation>
-    </message>
-    <message>
-        <location filename="fabric_picture.cpp"/>
         <source>Material %1 is drawn without its picture: %2</source>
         <translation>Le matériau %1 est dessiné sans son image : %2</translation>
     </message>
@@ -6267,6 +6242,31 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="picture_dialog.cpp"/>
         <source>Width</source>
         <translation>Largeur</translation>
+    </message>
+    <message>
+        <location filename="picture_file.cpp"/>
+        <source>%1 cannot be read: check the path.</source>
+        <translation>%1 ne peut pas être lu : vérifier le chemin.</translation>
+    </message>
+    <message>
+        <location filename="picture_file.cpp"/>
+        <source>%1 has %2 x %3 pixels: make it smaller, of 64 million at most.</source>
+        <translation>%1 a %2 x %3 pixels : réduisez-la à 64 millions au plus.</translation>
+    </message>
+    <message>
+        <location filename="picture_file.cpp"/>
+        <source>%1 has more than 256 MiB: make it smaller.</source>
+        <translation>%1 a plus de 256 Mio : réduisez-la.</translation>
+    </message>
+    <message>
+        <location filename="picture_file.cpp"/>
+        <source>%1 is cut off or damaged: save or copy the picture again.</source>
+        <translation>%1 est tronquée ou endommagée : enregistrez ou copiez l’image de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="picture_file.cpp"/>
+        <source>%1 is neither a PNG nor a JPEG: save the picture as one of these.</source>
+        <translation>%1 n’est ni un PNG ni un JPEG : enregistrer l’image sous l’un de ces formats.</translation>
     </message>
     <message>
         <location filename="pin.cpp"/>

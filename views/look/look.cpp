@@ -179,9 +179,8 @@ std::map<Id, int> printsOf(const Scene& scene, const Layout& layout, Look& look)
         if (points.empty())
             continue;
         const Material& material = std::get<Material>(entry.item);
-        Look::Print print{placeOfFile(scene.folder.path, material.picture).string(),
-                          colorFromText(material.color),
-                          {}};
+        Look::Print print{
+            placeOfPicture(scene, material).string(), colorFromText(material.color), {}};
         print.at.assign(layout.particleId.size(), {0.0F, 0.0F});
         for (std::size_t i = 0; i < layout.particleId.size(); ++i) {
             const auto point =
