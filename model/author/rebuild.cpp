@@ -1,6 +1,7 @@
 // Builds a part again in these stages:
 // 1. The builder runs twice, with the old and the new parameters; counterparts.h pairs the old
-//    build with what stands in the scene, and difference() counts the work of hands.
+//    build with what stands in the scene, both are weighed as its materials are by now, and
+//    difference() counts the work of hands.
 // 2. Rows and items of the new build get ids: those of the scene where there is a counterpart or
 //    the tables are as long, otherwise fresh ones. What the author has removed stays away.
 // 3. Materials are added, the part is replaced at its place, items are merged property by property
@@ -9,9 +10,11 @@
 #include "author/rebuild.h"
 
 #include "author/counterparts.h"
+#include "author/tuned_weights.h"
 #include "select/group.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace ripstop {
@@ -33,6 +36,15 @@ const Entry& partEntry(const Scene& scene)
 
 const Part& partOf(const Entry& entry) { return std::get<Part>(entry.item); }
 
+// Masses add up in another order when a material has been exchanged more than once.
+bool isSame(const Property& property, const Value& built, const Value& held)
+{
+    if (!isOneOf<&Particle::mass>(property))
+        return built == held;
+    const double mass = std::get<double>(built);
+    return std::abs(std::get<double>(held) - mass) <= 1e-9 * std::abs(mass);
+}
+
 template <typename Row>
 std::size_t countDifferent(const std::vector<Row>& built, const std::vector<Row>& held,
                            const std::map<Id, Id>& heldAs)
@@ -49,7 +61,7 @@ std::size_t countDifferent(const std::vector<Row>& built, const std::vector<Row>
             Value wanted = property.get(&built[i]);
             if (Id* id = std::get_if<Id>(&wanted))
                 *id = counterpart(*id);
-            if (wanted == property.get(&held[i]))
+            if (isSame(property, wanted, property.get(&held[i])))
                 continue;
             ++different;
             break;
@@ -82,12 +94,13 @@ HandmadeParts difference(const Part& built, const Part& held, const Counterparts
 class Rebuilding
 {
 public:
-    Rebuilding(const Scene& scene, Id part, const Scene& before, const Scene& after, Id nextId)
+    Rebuilding(const Scene& scene, Id part, const Scene& before, const Scene& after,
+               Counterparts counterparts, Id nextId)
         : m_scene(scene)
         , m_part(part)
         , m_before(before)
         , m_after(after)
-        , m_counterparts(counterpartsOf(scene, part, before))
+        , m_counterparts(std::move(counterparts))
         , m_next(nextId)
         , m_end(scene.items.size())
     {}
@@ -432,13 +445,17 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
 {
     const Part& part = *findItem<Part>(scene, id);
     const Builder& builder = *builderOf(part);
-    const Result<Scene> before = build(builder, part.parameters);
+    Result<Scene> before = build(builder, part.parameters);
     if (!before)
         return before.failure();
     Result<Scene> after = build(builder, parameters);
     if (!after)
         return after.failure();
-    Rebuilt outcome = Rebuilding(scene, id, *before, *after, nextId.value_or(scene.nextId)).run();
+    Counterparts counterparts = counterpartsOf(scene, id, *before);
+    weighAsTuned(scene, counterparts, *before, *after);
+    Rebuilt outcome = Rebuilding(scene, id, *before, *after, std::move(counterparts),
+                                 nextId.value_or(scene.nextId))
+                          .run();
     outcome.built = std::move(*after);
     return outcome;
 }
@@ -446,10 +463,12 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
 HandmadeParts handWork(const Scene& scene, Id id)
 {
     const Part& part = *findItem<Part>(scene, id);
-    const Result<Scene> before = build(*builderOf(part), part.parameters);
+    Result<Scene> before = build(*builderOf(part), part.parameters);
     if (!before)
         return {};
-    return difference(partOf(partEntry(*before)), part, counterpartsOf(scene, id, *before));
+    const Counterparts counterparts = counterpartsOf(scene, id, *before);
+    weighAsTuned(scene, counterparts, *before);
+    return difference(partOf(partEntry(*before)), part, counterparts);
 }
 
 Edit detached(const Scene& scene, const std::vector<Id>& parts)

@@ -7,6 +7,7 @@
 #include "author/rebuild.h"
 #include "check/check.h"
 #include "io/scene_file.h"
+#include "materials/neighbours.h"
 #include "registered_test.h"
 #include "shaping/insert.h"
 #include "shaping/transform.h"
@@ -77,6 +78,33 @@ Scene changing(const Scene& scene, const Parameters& given, std::size_t index = 
     if (!again)
         qFatal("%s", again.message().english().c_str());
     return after(scene, again->edit);
+}
+
+Id materialNamed(const Scene& scene, std::string_view name)
+{
+    for (const Entry& entry : scene.items)
+        if (const auto* material = std::get_if<Material>(&entry.item);
+            material && material->name == name)
+            return entry.id;
+    return noId;
+}
+
+double massOf(const Scene& scene)
+{
+    double sum = 0.0;
+    for (const Particle& particle : part(scene).particles)
+        sum += particle.mass;
+    return sum;
+}
+
+// Of the links of a material, m.
+double lengthOf(const Scene& scene, std::string_view material)
+{
+    double sum = 0.0;
+    for (const Link& link : part(scene).links)
+        if (link.material == materialNamed(scene, material))
+            sum += link.restLength;
+    return sum;
 }
 
 bool isClean(const Scene& scene)
@@ -305,6 +333,46 @@ private slots:
         QVERIFY(!itemNamed<Wind>(changed, "gusts"));
         QVERIFY(!itemNamed<Group>(changed, "tail nodes"));
         QVERIFY(isClean(changed));
+    }
+
+    // A line of the library is exchanged twice: nothing of that is lost with another parameter, and
+    // a parameter that is about the line itself wins.
+    void exchangedMaterialsStay()
+    {
+        const Parameters real{{"cloth", 2}, {"spars", 1}, {"cord", 3}};
+        Scene first = inserting({}, "delta_kite", {}, real);
+        Scene scene = first;
+        const auto stronger = [&] {
+            const Result<StepEdit> step =
+                stepEdit(scene, {materialNamed(scene, "line")}, MaterialStep::Stronger);
+            QVERIFY(step);
+            scene = after(scene, step->edit.edit);
+        };
+        stronger();
+        stronger();
+        const double density = *itemNamed<Material>(scene, "line")->linearDensity;
+        const double densityAtFirst = *itemNamed<Material>(first, "line")->linearDensity;
+        QVERIFY(density > densityAtFirst);
+        QVERIFY(handWork(scene, partId(scene)).isNothing());
+
+        // what is added of the line weighs what the line is made of by now: kg/m times m
+        const Parameters wish{{"line_length", part(scene).parameters.at("line_length") + 5.0}};
+        Scene longer = changing(scene, wish);
+        QCOMPARE(*itemNamed<Material>(longer, "line")->linearDensity, density);
+        QVERIFY(handWork(longer, partId(longer)).isNothing());
+        const Scene asBought = changing(first, wish);
+        QVERIFY(std::abs(lengthOf(longer, "line") - lengthOf(scene, "line") - 5.0) < 1e-9);
+        const double more = massOf(longer) - massOf(scene);
+        const double atFirst = massOf(asBought) - massOf(first);
+        QVERIFY(std::abs(more - atFirst - 5.0 * (density - densityAtFirst)) < 1e-12);
+
+        // another line, and the kite is that which is built with it
+        const Scene other = changing(scene, {{"cord", 1}});
+        Parameters asked = real;
+        asked["cord"] = 1;
+        const Scene wanted = inserting({}, "delta_kite", {}, asked);
+        QVERIFY(handWork(other, partId(other)).isNothing());
+        QVERIFY(std::abs(massOf(other) - massOf(wanted)) < 1e-12);
     }
 
     // A part that was moved, turned and renamed is built again where it is.
