@@ -22,6 +22,11 @@ extern "C" const char* __asan_default_options()
 {
     return "detect_leaks=0:hard_rss_limit_mb=1024:max_allocation_size_mb=1024";
 }
+extern "C" const char* __tsan_default_options();
+extern "C" const char* __tsan_default_options()
+{
+    return "hard_rss_limit_mb=1024:max_allocation_size_mb=1024";
+}
 #else
 #define RIPSTOP_IS_WATCHED 0
 #endif

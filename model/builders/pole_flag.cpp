@@ -3,7 +3,9 @@
 // The pole stands on the ground, clamped: its lowest two particles are pinned. It is a row of rods
 // with the flexural rigidity EI of a spar, or rigid, with every particle pinned. The flag is tied
 // to it by short lines, at its two corners or at every row. With c by r cells and l segments of the
-// pole below the flag: (c+1)(r+1) + r + l + 1 particles, 2 c r panels.
+// pole below the flag: (c+1)(r+1) + r + l + 1 particles, 2 c r panels. A cloth of the library is
+// carried by these panels in place of springs (craft_materials.h).
+#include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
@@ -17,6 +19,8 @@ namespace ripstop {
 namespace {
 
 constexpr std::string_view ties[]{"corners", "every_row"};
+constexpr CraftChoices flagChoices{clothChoices, {}, {}};
+constexpr ParameterNeed ofSprings = isZero("cloth");
 
 // clang-format off
 constexpr Parameter parameters[]{
@@ -24,9 +28,10 @@ constexpr Parameter parameters[]{
     {"rows",      "",       12,   2, 200,  true,  "Cells from the upper to the lower edge."},
     {"length",    "m",      1.2,  0.05, 20, false, "From the pole to the free edge.", "Flag"},
     {"height",    "m",      0.8,  0.05, 20, false, "Along the pole."},
-    {"density",   "kg/m^2", 0.11, 0.005, 10, false, "Mass of the fabric per area; 0.11 is knitted polyester for flags."},
-    {"stiffness", "N/m",    200,  1, 1e5,  false, "Of structural springs: the tension of the fabric per strain."},
-    {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones."},
+    {"cloth",     "",       0,    0, clothChoices.size() - 1, true, "Cloth of the flag; ideal cloth is a sheet of springs, as stiff and heavy as said below, a real one is carried by panels and wrinkles.", {}, clothChoices, 2},
+    {"density",   "kg/m^2", 0.11, 0.005, 10, false, "Mass of the fabric per area; 0.11 is knitted polyester for flags.", {}, {}, {}, ofSprings},
+    {"stiffness", "N/m",    200,  1, 1e5,  false, "Of structural springs: the tension of the fabric per strain.", {}, {}, {}, ofSprings},
+    {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones.", {}, {}, {}, ofSprings},
     {"tied",      "",       1,    0, 1,    true,  "Where the hoist is tied to the pole.", {}, ties},
     {"pole",      "m",      2.5,  0.1, 50, false, "Height of the pole; at least that of the flag and a little.", "Pole"},
     {"rigidity",  "N m^2",  0,    0, 1e5,  false, "Flexural rigidity EI of the pole; 0 does not bend, a fibre glass rod of 12 mm has 40."},
@@ -60,7 +65,8 @@ Materials addMaterials(Scene& scene, const Parameters& p)
         return addItem(scene, material);
     };
     Materials materials{};
-    materials.cloth = add("cloth", "#c1121f", p.at("stiffness"), true);
+    materials.cloth =
+        add("cloth", "#c1121f", isIdeal(p, "cloth") ? p.at("stiffness") : material.stiffness, true);
     materials.structural = add("structural", "#9d0f1a", p.at("stiffness"), true);
     materials.shear = add("shear", "#e07a7f", p.at("shear") * p.at("stiffness"), false);
     material = Material{};
@@ -162,12 +168,18 @@ Result<Scene> buildPoleFlag(const Parameters& p)
     const int rows = int(p.at("rows"));
     const double lower = std::max(p.at("pole") - p.at("height"), 0.1 * p.at("height"));
     const auto flag = addFlag(network, p, materials, lower);
-    network.addFabricMass(p.at("density"));
+    const bool isOfSprings = isIdeal(p, "cloth");
+    network.addFabricMass(isOfSprings ? p.at("density") : clothDensity(p, flagChoices));
     const std::vector<Id> pole = addPole(network, p, materials.pole);
     for (int row = 0; row <= rows; ++row)
         if (p.at("tied") > 0.0 || row == 0 || row == rows)
             network.rod(pole[pole.size() - 1 - std::size_t(rows - row)], flag[std::size_t(row)][0],
                         materials.ties, Resists::Tension);
+
+    CraftMaterials craft;
+    craft.cloth = {materials.cloth};
+    craft.seams = {materials.structural, materials.shear};
+    makeOf(p, craft, scene, network, flagChoices);
 
     const Id top = pole.back();
     const Id fly = flag[std::size_t(rows / 2)].back();
@@ -179,8 +191,8 @@ Result<Scene> buildPoleFlag(const Parameters& p)
     addProbe(scene, "upper tie", Quantity::Tension, tie);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
 
-    // stiff or light cloth needs shorter substeps; a fifth to spare
-    if (const std::optional<StepLimit> limit = stepLimit(scene))
+    // stiff or light springs need shorter substeps; a fifth to spare
+    if (const std::optional<StepLimit> limit = isOfSprings ? stepLimit(scene) : std::nullopt)
         scene.settings.substeps =
             std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
     return scene;

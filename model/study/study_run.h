@@ -94,8 +94,8 @@ using ToldOfRecordings = std::function<void(std::size_t done, std::size_t wanted
 // Flies what is missing of the shard, round after round where a plan finds out what it needs, and
 // then those of the best again whose recordings the study keeps and does not have.
 // `told` hears of each flight once it is in the ledger, `recorded` before the first of the best and
-// after each; from the thread that flew it, one at a time. Fails when a ledger cannot be read or
-// written.
+// after each; from the thread that flew it, one at a time. `isInterrupted` is asked by any of these
+// threads at any time. Fails when a ledger cannot be read or written.
 Result<StudyFlown> flyMissing(
     const OpenedStudy& opened, const Shard& shard, int jobs,
     const std::function<bool()>& isInterrupted, const ToldOfFlight& told,

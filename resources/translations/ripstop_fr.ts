@@ -10901,6 +10901,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cloth of the flag; ideal cloth is a sheet of springs, as stiff and heavy as said below, a real one is carried by panels and wrinkles.</source>
+        <translation>Tissu du drapeau ; un tissu idéal est une nappe de ressorts, aussi raide et lourde qu’indiqué plus bas, un vrai est porté par des panneaux et fait des plis.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Cloth of the sail; ideal cloth never stretches and weighs what is said above, a real one is carried by panels and wrinkles.</source>
         <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus haut, une vraie est portée par des panneaux et fait des plis.</translation>
     </message>

@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <atomic>
+
 namespace ripstop::test_kept_runs {
 
 namespace {
@@ -71,7 +73,7 @@ public:
     // As far as so many flights; gives the points that are kept, as it says.
     std::vector<std::size_t> fly(Shard shard = {}, std::size_t most = 1000, int jobs = 1) const
     {
-        std::size_t flown = 0;
+        std::atomic<std::size_t> flown = 0; // told on one thread, asked on another
         const auto done = flyMissing(
             open(), shard, jobs, [&] { return flown >= most; },
             [&](const FlightNews&) { ++flown; });
