@@ -9,6 +9,7 @@
 // from the riser up, the lengths are those of the table: each fork hangs below the middle of its
 // two points, and the riser where the first row is taut. At rest a line of a single row that
 // carries the load F at a fork of half angle a carries F / (2 cos a).
+#include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/network.h"
 
@@ -17,6 +18,8 @@
 
 namespace ripstop {
 namespace {
+
+constexpr CraftChoices bridleChoices{{}, {}, cordChoices};
 
 // clang-format off
 constexpr Parameter parameters[]{
@@ -27,8 +30,9 @@ constexpr Parameter parameters[]{
     {"height",   "m",    2,    0.05, 60, false, "From the riser to the wing, where no table says so."},
     {"level",    "m",    4,    0.1, 1000, false, "Height of the wing over the ground."},
     {"load",     "kg",   5,    0.001, 2000, false, "Mass that hangs from the riser.", "Load and lines"},
-    {"line_density", "kg/m", 0.001, 1e-6, 0.2, false, "Mass of a line per length."},
-    {"line_diameter", "m", 0.001, 0, 0.02, false, "Thickness of a line, which the wind drags."},
+    {"cord",     "",     0,    0, cordChoices.size() - 1, true, "What the lines are made of; ideal ones never stretch.", {}, cordChoices, 3},
+    {"line_density", "kg/m", 0.001, 1e-6, 0.2, false, "Mass of a line per length.", {}, {}, {}, isZero("cord")},
+    {"line_diameter", "m", 0.001, 0, 0.02, false, "Thickness of a line, which the wind drags.", {}, {}, {}, isZero("cord")},
     {"wind",     "m/s",  0,    0, 40,    false, "Speed of the wind.", "Air"},
 };
 
@@ -141,7 +145,8 @@ Laid layRow(Network& network, const Parameters& p, const Cascade& cascade, const
             const Id line = network.rod(from, nodes[i], material, Resists::Tension);
             if (wanted > 0.0)
                 network.setRestLength(wanted);
-            const double mass = p.at("line_density") * network.part().links.back().restLength;
+            const double mass =
+                cordDensity(p, bridleChoices) * network.part().links.back().restLength;
             network.row(from).mass += 0.5 * mass;
             network.row(nodes[i]).mass += 0.5 * mass;
             if (level == 0)
@@ -179,7 +184,8 @@ Result<Scene> buildBridle(const Parameters& p)
     Scene scene;
     scene.settings.title = "Bridle cascade";
     // grams of line carry kilograms: no number of sweeps holds that through the forks
-    scene.settings.solver = Solver::Direct;
+    if (isIdeal(p, "cord"))
+        scene.settings.solver = Solver::Direct;
     addGround(scene);
     addWind(scene, Vec3(p.at("wind"), 0.0, 0.0));
     Material material;
@@ -204,6 +210,9 @@ Result<Scene> buildBridle(const Parameters& p)
         points.insert(points.end(), laid.points.begin(), laid.points.end());
         mains.insert(mains.end(), laid.mains.begin(), laid.mains.end());
     }
+    CraftMaterials craft;
+    craft.lines = materials;
+    makeOf(p, craft, scene, network, bridleChoices);
     const Id part = network.finish("bridle", p);
     addGroup(scene, "wing points", points);
     addGroup(scene, "riser", {riser});

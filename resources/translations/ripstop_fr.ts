@@ -14996,6 +14996,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>What the lines are made of; ideal ones never stretch.</source>
+        <translation>En quoi sont les lignes ; des lignes idéales ne s’allongent jamais.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>What the link stands for where its material has a physical stiffness: a line or spar by itself, threads of a fabric, or its resistance to shear.</source>
         <translation>Ce que représente la liaison là où son matériau a une rigidité physique : une ligne ou un longeron à elle seule, des fils d’un tissu, ou sa résistance au cisaillement.</translation>
     </message>
