@@ -1395,6 +1395,21 @@
     </message>
     <message>
         <location filename="detail.cpp"/>
+        <source>light</source>
+        <translation>légère</translation>
+    </message>
+    <message>
+        <location filename="detail.cpp"/>
+        <source>moderate</source>
+        <translation>modérée</translation>
+    </message>
+    <message>
+        <location filename="detail.cpp"/>
+        <source>severe</source>
+        <translation>forte</translation>
+    </message>
+    <message>
+        <location filename="detail.cpp"/>
         <source>tears</source>
         <translation>se déchire</translation>
     </message>

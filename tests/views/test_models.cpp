@@ -5,6 +5,7 @@
 // then the table under edits of elements and other limits. The seeds are fixed.
 #include "document/document.h"
 #include "document/selection.h"
+#include "outline/detail.h"
 #include "outline/new_item.h"
 #include "outline/outline_filter.h"
 #include "outline/outline_model.h"
@@ -123,6 +124,20 @@ class TestModels : public QObject
     Q_OBJECT
 
 private slots:
+    // A wind of 8 m/s at 20 ft has gusts of 1.5 m/s: the outline names what it is and no speed.
+    void gustsAreNamedByTheirTurbulence()
+    {
+        Wind wind;
+        wind.velocity = Vec3(8, 0, 0);
+        QCOMPARE(itemDetail({}, wind), QString("8\u00a0m/s"));
+        wind.kind = WindKind::Gusts;
+        for (const auto& [speed, name] :
+             {std::pair(7.7, "light"), {15.4, "moderate"}, {23.2, "severe"}}) {
+            wind.gustiness = speed;
+            QCOMPARE(itemDetail({}, wind), QString(name));
+        }
+    }
+
     void outline_data()
     {
         QTest::addColumn<unsigned>("seed");

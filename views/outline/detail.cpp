@@ -21,6 +21,16 @@ auto withTable(const Part& part, Kind table, Visit visit)
     return visit(part.panels);
 }
 
+// That of MIL-F-8785C which is nearest, for 7.7, 15.4 and 23.2 m/s of wind at 20 ft: the number by
+// itself reads as the speed of the gusts, which is a fifth of it.
+QString turbulence(double windAt20Feet)
+{
+    return windAt20Feet <= 0.0    ? words("none")
+           : windAt20Feet < 11.55 ? words("light")
+           : windAt20Feet < 19.3  ? words("moderate")
+                                  : words("severe");
+}
+
 struct Writer
 {
     const Scene& scene;
@@ -40,8 +50,9 @@ struct Writer
     }
     QString operator()(const Wind& wind) const
     {
-        const double speed = wind.kind == WindKind::Gusts ? wind.gustiness : wind.velocity.norm();
-        return spokenText(speed, "m/s", 3);
+        if (wind.kind == WindKind::Gusts)
+            return turbulence(wind.gustiness);
+        return spokenText(wind.velocity.norm(), "m/s", 3);
     }
     QString operator()(const Control& control) const
     {
