@@ -1,3 +1,5 @@
+// Writer has a text for each kind of item; the functions after it count the rows of a table, of the
+// selected ones too.
 #include "outline/detail.h"
 
 #include "document/spoken.h"

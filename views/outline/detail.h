@@ -1,7 +1,7 @@
 // The second column of the outline: what a person wants to know of a thing at a glance.
 //
 // Texts are made when a row is painted, so they are short and cost little: the size of a table, the
-// speed of a wind, the keys of a control.
+// speed of a wind, the turbulence of gusts, the keys of a control.
 #pragma once
 
 #include "scene/property.h"
