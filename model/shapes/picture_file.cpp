@@ -94,10 +94,13 @@ Jpeg readJpeg(const std::string& bytes)
 
 Result<PictureSize> pictureSize(const fs::path& file)
 {
-    std::ifstream in(file, std::ios::binary);
     std::error_code error;
-    const std::uintmax_t length = fs::file_size(file, error);
-    if (!in || error)
+    const bool isFile = fs::is_regular_file(file, error); // a pipe would keep us waiting
+    const std::uintmax_t length = isFile ? fs::file_size(file, error) : 0;
+    std::ifstream in;
+    if (isFile)
+        in.open(file, std::ios::binary);
+    if (!isFile || error || !in)
         return Failure("%1 cannot be read: check the path.", file.string());
     if (length > mostBytes)
         return Failure("%1 has more than 256 MiB: make it smaller.", file.string());

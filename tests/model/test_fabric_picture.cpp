@@ -110,6 +110,7 @@ private slots:
         QVERIFY(
             said(QByteArray(png).replace(25, 1, "\x03")).contains("a.png is cut off or damaged"));
         QVERIFY(said(jpeg).isEmpty());
+        QVERIFY(!pictureSize(folder.path().toStdString()) && !pictureSize("/dev/zero"));
         QVERIFY(said(jpeg.chopped(2)).contains("cut off or damaged"));
         QVERIFY(said(jpeg + "of the camera").isEmpty());
         QVERIFY(said(QByteArray(png).replace(16, 8, QByteArray::fromHex("00004e2000004e20")))
