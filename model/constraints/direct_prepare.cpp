@@ -20,6 +20,8 @@ namespace {
 constexpr double manyProducts = 100.0;
 constexpr double tooManyProducts = 700.0;
 constexpr std::size_t fewNodes = 300;
+// Products of blocks for each node that take as long as an iteration.
+constexpr double productsOfIteration = 17.0;
 
 } // namespace
 
@@ -35,6 +37,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Trip
     const double most = m_isOfThreads ? manyProducts : tooManyProducts;
     m_hasGrid = nodes() > fewNodes && products > most * double(nodes());
     m_hasFactor = !m_hasGrid || products < tooManyProducts * double(nodes());
+    m_worthIterating = int(products / (productsOfIteration * double(nodes())));
     if (m_hasGrid) {
         // Rows in the order of the particles and bars in the order of rows: a walk along either is
         // one through memory.

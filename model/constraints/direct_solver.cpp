@@ -25,7 +25,6 @@ constexpr double greatestSoftness = 1e-4;
 constexpr int halvings = 6;
 
 constexpr int mostIterations = 200;
-constexpr int fewIterations = 6; // no more are tried of what can be factorised
 constexpr double leftByIterations =
     0.1;                              // of the accuracy: no pull of a sheet at rest is off by more
 constexpr double longSwing = 2.0;     // steps within a radian of it, squared
@@ -362,7 +361,7 @@ bool DirectSolver::iterate(ThreadPool& pool)
     };
     const double goal = leftByIterations * m_accuracy * scaleOfErrors();
     m_left = m_grid.solve({m_move.data(), nodes()}, goal,
-                          m_hasFactor ? fewIterations : mostIterations, keepOnGuides, pool);
+                          m_hasFactor ? m_worthIterating : mostIterations, keepOnGuides, pool);
     if (m_hasFactor && m_left > goal) {
         m_left = 0.0;
         m_iterates = false;

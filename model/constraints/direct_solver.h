@@ -189,9 +189,10 @@ private:
     bool m_isOfThreads = false; // when it was prepared
     bool m_hasGrid = false;
     bool m_hasFactor = true;
-    bool m_iterates = false; // now
-    BlockCholesky m_factor;  // of the matrix, or
-    Multigrid m_grid;        // for a large one
+    int m_worthIterating = 0; // iterations that cost less than a factorisation
+    bool m_iterates = false;  // now
+    BlockCholesky m_factor;   // of the matrix, or
+    Multigrid m_grid;         // for a large one
     std::vector<Bar> m_bars;
     std::vector<std::size_t> m_barsOf, m_panelsOf; // [stripes of the grid + 1] first of each
     std::vector<double> m_energyOf;                // [stripes] scratch
