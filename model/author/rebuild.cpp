@@ -453,6 +453,8 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
         return after.failure();
     Counterparts counterparts = counterpartsOf(scene, id, *before);
     weighAsTuned(scene, counterparts, *before, *after);
+    weighAsTuned(scene, counterparts, *before,
+                 *before); // last, as the other one needs it as it was
     Rebuilt outcome = Rebuilding(scene, id, *before, *after, std::move(counterparts),
                                  nextId.value_or(scene.nextId))
                           .run();
@@ -467,7 +469,7 @@ HandmadeParts handWork(const Scene& scene, Id id)
     if (!before)
         return {};
     const Counterparts counterparts = counterpartsOf(scene, id, *before);
-    weighAsTuned(scene, counterparts, *before);
+    weighAsTuned(scene, counterparts, *before, *before);
     return difference(partOf(partEntry(*before)), part, counterparts);
 }
 

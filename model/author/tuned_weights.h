@@ -10,13 +10,10 @@
 
 namespace ripstop {
 
-// `before` is as the builder made the part, with its counterparts in the scene, and `after` is as
-// it makes it now. Where the scene has another density than `before`, both get it, and the masses
-// that follow; but not `after` where the builder itself has another one now.
-void weighAsTuned(const Scene& scene, const Counterparts& counterparts, Scene& before,
-                  Scene& after);
-
-// The same for a build alone.
-void weighAsTuned(const Scene& scene, const Counterparts& counterparts, Scene& built);
+// `before` is as the builder made the part, with its counterparts in the scene. `built` is that, or
+// as the builder makes it now: where the scene has another density than `before`, it gets this one
+// and the masses that follow, unless the builder itself has another one now.
+void weighAsTuned(const Scene& scene, const Counterparts& counterparts, const Scene& before,
+                  Scene& built);
 
 } // namespace ripstop

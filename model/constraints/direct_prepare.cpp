@@ -12,16 +12,16 @@
 namespace ripstop {
 namespace {
 
-// Products of blocks for each node above which a few iterations cost less than a factorisation, and
-// above which any number does (measured on sheets of 16 and 64 particles a side); and the nodes of
-// blocks that are factorised in any case. A few iterations are enough for threads at rest. Panels
-// fold, and rods without compliance are harder than their coarser networks can tell, so that
-// canopies and kites of 500 to 5 000 particles fly up to twice as fast when they are factorised.
+// Products of blocks for each node that take as long as an iteration; above which a few iterations
+// cost less than a factorisation, and above which any number does (measured on sheets of 16, 64 and
+// 100 particles a side); and the nodes of blocks that are factorised in any case. A few iterations
+// are enough for threads at rest. Panels fold, and rods without compliance are harder than their
+// coarser networks can tell, so that canopies and kites of 500 to 5 000 particles fly up to twice
+// as fast when they are factorised.
+constexpr double productsOfIteration = 17.0;
 constexpr double manyProducts = 100.0;
 constexpr double tooManyProducts = 700.0;
 constexpr std::size_t fewNodes = 300;
-// Products of blocks for each node that take as long as an iteration.
-constexpr double productsOfIteration = 17.0;
 
 } // namespace
 

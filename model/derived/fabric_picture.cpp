@@ -2,7 +2,6 @@
 // are, and takes each particle through the place of the material.
 #include "derived/fabric_picture.h"
 
-#include "shapes/picture_file.h"
 #include "shapes/shape_files.h"
 
 #include <Eigen/Geometry>

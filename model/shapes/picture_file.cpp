@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 
@@ -92,19 +91,16 @@ Jpeg readJpeg(const std::string& bytes)
 
 } // namespace
 
-Result<PictureSize> pictureSize(const fs::path& file)
+Result<PictureSize> readPictureSize(const fs::path& file)
 {
     std::error_code error;
-    const bool isFile = fs::is_regular_file(file, error); // a pipe would keep us waiting
-    const std::uintmax_t length = isFile ? fs::file_size(file, error) : 0;
-    std::ifstream in;
-    if (isFile)
-        in.open(file, std::ios::binary);
-    if (!isFile || error || !in)
-        return Failure("%1 cannot be read: check the path.", file.string());
-    if (length > mostBytes)
+    const std::uintmax_t length = fs::file_size(file, error);
+    if (!error && length > mostBytes)
         return Failure("%1 has more than 256 MiB: make it smaller.", file.string());
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::string bytes(error ? 0 : std::size_t(length), '\0');
+    std::ifstream in(file, std::ios::binary);
+    if (error || !in.read(bytes.data(), std::streamsize(bytes.size())))
+        return Failure("%1 cannot be read: check the path.", file.string());
     std::optional<PictureSize> size;
     bool isWhole = true;
     if (bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.size() >= 24) {

@@ -1,8 +1,10 @@
-// A cache of shapes, one for pictures, one for meshes and one for hills:
+// A cache of shapes, one for heights of pictures, one for meshes, one for hills, and one for sizes
+// of pictures:
 // 1. A name says what the shape is made of: path, date and size of the file, or the numbers of
 //    hills.
 // 2. Shelf finds a shape of that name as long as anybody uses it, keeps the last four in any case,
-//    and remembers the last failures, so that a flawed file is not read at every edit.
+//    and remembers the last failures, so that a flawed file is not read at every edit; of sizes,
+//    which are small and which nobody keeps, so many that no scene has more.
 // 3. A shape that is not known is made while the lock is held, so that two threads do not read one
 //    file twice. A caller without effort does not wait for the lock and gets null.
 #include "shapes/shape_files.h"
@@ -22,6 +24,10 @@ template <typename Shape>
 class Shelf
 {
 public:
+    explicit Shelf(std::size_t most = 4)
+        : m_most(most)
+    {}
+
     template <typename Make>
     Result<std::shared_ptr<const Shape>> take(const std::string& name, Effort effort, Make make)
     {
@@ -43,7 +49,7 @@ public:
         Result<Shape> made = make();
         if (!made) {
             m_failed.emplace_back(name, made.failure());
-            if (m_failed.size() > mostKept)
+            if (m_failed.size() > m_most)
                 m_failed.pop_front();
             return made.failure();
         }
@@ -53,14 +59,13 @@ public:
         });
         m_known.emplace_back(name, shape);
         m_kept.push_back(shape);
-        if (m_kept.size() > mostKept)
+        if (m_kept.size() > m_most)
             m_kept.pop_front();
         return shape;
     }
 
 private:
-    static constexpr std::size_t mostKept = 4;
-
+    std::size_t m_most; // kept
     std::mutex m_mutex;
     std::vector<std::pair<std::string, std::weak_ptr<const Shape>>> m_known;
     std::deque<std::shared_ptr<const Shape>> m_kept;
@@ -105,6 +110,15 @@ Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::
 {
     static Shelf<TriangleTree> shelf;
     return fromFile(file, Message("mesh"), shelf, effort, readMeshFile);
+}
+
+Result<PictureSize> pictureSize(const std::filesystem::path& file)
+{
+    static Shelf<PictureSize> shelf(1000);
+    const auto size = fromFile(file, Message("picture"), shelf, Effort::Any, readPictureSize);
+    if (!size)
+        return size.failure();
+    return **size;
 }
 
 std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length, Effort effort)

@@ -1,4 +1,5 @@
-// Shapes that take time to make: hills, and what is read from pictures and meshes.
+// Shapes that take time to make: hills, and what is read from pictures and meshes; and the sizes of
+// pictures that are drawn on fabric.
 //
 // The same file with the same date is read once while somebody uses it, so that an edit of a
 // collider that has a large mesh costs nothing. Any thread may call these. One that must not wait
@@ -7,6 +8,7 @@
 
 #include "base/result.h"
 #include "shapes/height_grid.h"
+#include "shapes/picture_file.h"
 #include "shapes/triangle_tree.h"
 
 #include <filesystem>
@@ -29,6 +31,9 @@ Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem:
 // names the file and what to do.
 Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file,
                                                          Effort effort = Effort::Any);
+
+// Of a picture that is to be drawn, PNG or JPEG, when all of it is there (picture_file.h).
+Result<PictureSize> pictureSize(const std::filesystem::path& file);
 
 // Generated hills (height_grid.h); null only without effort.
 std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length,

@@ -8,7 +8,7 @@
 #include "compile/compile.h"
 #include "export/export_run.h"
 #include "io/scene_file.h"
-#include "shapes/picture_file.h"
+#include "shapes/shape_files.h"
 #include "simulation/simulation.h"
 
 #include <QFile>
@@ -100,8 +100,10 @@ private slots:
     void whatCannotBeDrawnIsSaid()
     {
         const QTemporaryDir folder;
+        int number = 0; // each in a file of its own, as what was read is remembered
         const auto said = [&](const QByteArray& bytes) {
-            const Scene scene = sheet(written(folder, "a.png", bytes).toStdString());
+            const QString name = QString("%1a.png").arg(++number);
+            const Scene scene = sheet(written(folder, name, bytes).toStdString());
             const auto warning = pictureWarning(scene, *findItem<Material>(scene, Id{8}));
             return QByteArray::fromStdString(warning ? warning->english() : "");
         };
