@@ -65,7 +65,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     , m_figures(new QLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel
                                      | QDialogButtonBox::RestoreDefaults))
-    , m_ideal(m_buttons->addButton(tr("Ideal, as in the papers"), QDialogButtonBox::ResetRole))
+    , m_ideal(m_buttons->addButton(tr("Ideal materials"), QDialogButtonBox::ResetRole))
     , m_worker(outcomeOf, [this] {
         QMetaObject::invokeMethod(this, &BuilderDialog::collect, Qt::QueuedConnection);
     })
@@ -143,8 +143,8 @@ void BuilderDialog::layOut()
     defaults->setText(tr("Defaults"));
     defaults->setToolTip(tr("Sets every parameter to what it was at first."));
     m_ideal->setObjectName(QStringLiteral("ideal"));
-    m_ideal->setToolTip(tr("Sets every parameter to what the papers have: ideal cloth, lines and "
-                           "spars, which never stretch."));
+    m_ideal->setToolTip(tr("Sets every parameter to what goes with ideal cloth, lines and spars: "
+                           "deltas, gliders and parachutes are those of the papers then."));
 
     auto* form = new QVBoxLayout;
     form->addWidget(m_builders);

@@ -245,8 +245,8 @@
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
-        <source>Ideal, as in the papers</source>
-        <translation>Idéal, comme dans les articles</translation>
+        <source>Ideal materials</source>
+        <translation>Matières idéales</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -270,13 +270,13 @@
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
-        <source>Sets every parameter to what it was at first.</source>
-        <translation>Redonne à chaque paramètre sa valeur de départ.</translation>
+        <source>Sets every parameter to what goes with ideal cloth, lines and spars: deltas, gliders and parachutes are those of the papers then.</source>
+        <translation>Met chaque paramètre à ce qui va avec un tissu, des lignes et des longerons idéaux : deltas, planeurs et parachutes sont alors ceux des articles.</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
-        <source>Sets every parameter to what the papers have: ideal cloth, lines and spars, which never stretch.</source>
-        <translation>Remet chaque paramètre à ce qu’ont les articles : toile, lignes et longerons idéaux, qui ne s’étirent jamais.</translation>
+        <source>Sets every parameter to what it was at first.</source>
+        <translation>Redonne à chaque paramètre sa valeur de départ.</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
