@@ -4,7 +4,9 @@
 // Structural springs run along rows and columns, shear springs across both diagonals of each cell,
 // bend springs to second neighbours in rows and columns. Stiffness is that of the fabric: a spring
 // stands for the strip of cloth around it, so its stiffness does not depend on the resolution of a
-// square mesh. A torn spring takes the panels beside it out of the air.
+// square mesh. A torn spring takes the panels beside it out of the air. A cloth of the library is
+// carried by panels in place of springs (craft_materials.h).
+#include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
@@ -20,21 +22,28 @@ namespace {
 constexpr std::string_view hangs[]{"two_corners", "left_edge",    "nothing",
                                    "both_edges",  "clamped_edge", "rail"};
 
+constexpr auto sheetCloths = std::to_array<std::string_view>(
+    {"ideal", "ripstop_050", "ripstop_075", "ripstop_150", "icarex_p31", "teijin_d2", "skytex_32",
+     "mil_7020_1", "dacron_sail", "royal_target", "denim_11oz"});
+constexpr CraftChoices sheetChoices{sheetCloths, {}, {}};
+constexpr ParameterNeed ofSprings = isZero("cloth");
+
 // clang-format off
 constexpr Parameter parameters[]{
     {"columns",   "",       20,   1, 400,  true,  "Cells across.", "Mesh"},
     {"rows",      "",       20,   1, 400,  true,  "Cells down."},
     {"width",     "m",      1.0,  0.01, 50, false, "From corner to corner across.", "Size"},
     {"height",    "m",      1.0,  0.01, 50, false, "From the top edge to the bottom edge."},
-    {"density",   "kg/m^2", 0.25, 0.005, 10, false, "Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric.", "Fabric"},
-    {"stiffness", "N/m",    100,  0, 1e6,  false, "Of structural springs: the tension of the fabric per strain; light knits have 25 to 130."},
-    {"membrane",  "N/m",    0,    0, 1e7,  false, "Membrane stiffness E t of the fabric along its threads; above 0 it replaces the stiffness, and the sheet stretches alike at every resolution."},
-    {"panels",    "",       0,    0, 1,    true,  "1 has panels carry the fabric's pull instead of springs: with warp, weft, shear and wrinkles, and the same on every mesh."},
-    {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones; of the membrane, shear stiffness over membrane stiffness."},
-    {"bend",      "",       0.02, 0, 2,    false, "Stiffness of bend springs over that of structural ones."},
-    {"bending",   "N m",    0,    0, 10,   false, "Bending stiffness of the fabric, its moment per width and curvature; garments have 1e-5 to 1e-4."},
-    {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only."},
-    {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never."},
+    {"cloth",     "",       0,    0, sheetCloths.size() - 1, true, "What the sheet is made of; ideal cloth is as stiff and heavy as said below, a real one is carried by panels and wrinkles.", "Fabric", sheetCloths, 2},
+    {"density",   "kg/m^2", 0.25, 0.005, 10, false, "Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric.", {}, {}, {}, ofSprings},
+    {"stiffness", "N/m",    100,  0, 1e6,  false, "Of structural springs: the tension of the fabric per strain; light knits have 25 to 130.", {}, {}, {}, ofSprings},
+    {"membrane",  "N/m",    0,    0, 1e7,  false, "Membrane stiffness E t of the fabric along its threads; above 0 it replaces the stiffness, and the sheet stretches alike at every resolution.", {}, {}, {}, ofSprings},
+    {"panels",    "",       0,    0, 1,    true,  "1 has panels carry the fabric's pull instead of springs: with warp, weft, shear and wrinkles, and the same on every mesh.", {}, {}, {}, ofSprings},
+    {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones; of the membrane, shear stiffness over membrane stiffness.", {}, {}, {}, ofSprings},
+    {"bend",      "",       0.02, 0, 2,    false, "Stiffness of bend springs over that of structural ones.", {}, {}, {}, ofSprings},
+    {"bending",   "N m",    0,    0, 10,   false, "Bending stiffness of the fabric, its moment per width and curvature; garments have 1e-5 to 1e-4.", {}, {}, {}, ofSprings},
+    {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only.", {}, {}, {}, ofSprings},
+    {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never.", {}, {}, {}, ofSprings},
     {"hang",      "",       0,    0, 5,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped, 5 rings along a rail, of which the last one can be drawn.", "Set-up", hangs},
     {"slit",      "",       0,    0, 0.9,  false, "A cut from the middle of the lower edge upwards, over the height; tears start there."},
     {"level",     "m",      1.6,  0.01, 1000, false, "Height of the top edge over the ground."},
@@ -58,17 +67,21 @@ constexpr int ringEvery = 4; // columns
 
 struct Materials
 {
-    Id cloth;
-    Id structural;
-    Id shear;
-    Id bend;
+    Id cloth{};
+    Id structural{}; // of springs, where there are any
+    Id shear{};
+    Id bend{};
 };
 
 Materials addMaterials(Scene& scene, const Parameters& p)
 {
     Material material;
+    material.name = "cloth";
+    material.color = "#3d7ea6";
     material.normalCoefficient = p.at("lift_slope");
     material.skinFriction = p.at("friction");
+    if (!isIdeal(p, "cloth")) // the library has the rest
+        return {.cloth = addItem(scene, material)};
     material.damping = p.at("damping");
     material.tearRule = p.at("tear") > 0.0 ? TearRule::Strain : TearRule::Never;
     material.tearLimit = p.at("tear") > 0.0 ? p.at("tear") : material.tearLimit;
@@ -306,9 +319,13 @@ Result<Scene> buildCloth(const Parameters& p)
     Network network(scene, "sheet");
     const Sheet sheet(network, p);
     sheet.weave(network, materials);
-    network.addFabricMass(p.at("density"));
+    const bool isOfSprings = isIdeal(p, "cloth");
+    network.addFabricMass(isOfSprings ? p.at("density") : clothDensity(p, sheetChoices));
     if (p.at("panels") > 0.0)
         network.carryByPanels();
+    CraftMaterials made;
+    made.cloth = {materials.cloth};
+    makeOf(p, made, scene, network, sheetChoices);
 
     std::vector<Id> held;
     if (hang == byCorners)
@@ -353,7 +370,7 @@ Result<Scene> buildCloth(const Parameters& p)
         addBalance(scene);
 
     // stiff or light cloth needs shorter substeps; a fifth to spare
-    if (const std::optional<StepLimit> limit = stepLimit(scene))
+    if (const std::optional<StepLimit> limit = isOfSprings ? stepLimit(scene) : std::nullopt)
         scene.settings.substeps =
             std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
     return scene;

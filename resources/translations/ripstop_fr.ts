@@ -15026,6 +15026,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>What the rope is made of; an ideal one is as stiff and heavy as said below.</source>
+        <translation>Cordage ; un cordage idéal est aussi raide et lourd qu’indiqué plus bas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the sheet is made of; ideal cloth is as stiff and heavy as said below, a real one is carried by panels and wrinkles.</source>
+        <translation>Tissu de la nappe ; un tissu idéal est aussi raide et lourd qu’indiqué plus bas, un vrai est porté par des panneaux et fait des plis.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>What the suspension lines are made of; ideal ones never stretch.</source>
         <translation>Matière des suspentes ; les idéales ne s’étirent jamais.</translation>
     </message>

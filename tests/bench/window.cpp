@@ -2,9 +2,14 @@
 //
 //     xvfb-run build/release/bin/ripstop-bench-window [SIDE] [SECONDS] [unseen]
 //     xvfb-run build/release/bin/ripstop-bench-window SCENE...
+//     xvfb-run build/release/bin/ripstop-bench-window FILE.ripstop-study.json
 //
 // With files of scenes it says what a picture of each costs, in a window of 1280 x 800, while the
 // camera turns: with its ground, sky, people and shadows, and without any ground.
+//
+// With a study, whose design has to lie beside it, the panel flies what is missing of it: of each
+// tenth of its flights it says how often the window had its turn, where one is due sixty times a
+// second.
 //
 // With "unseen" the 3D view is hidden: what is left is the window's own work, without the drawing,
 // which takes long where no graphics card does it.
@@ -23,6 +28,7 @@
 #include "inspector/tuning_row.h"
 #include "io/scene_file.h"
 #include "scene/property.h"
+#include "study/study_panel.h"
 #include "thread_time.h"
 #include "viewport/viewport.h"
 
@@ -180,6 +186,39 @@ void timePictures(const QStringList& files)
     }
 }
 
+void flyStudy(const QString& file)
+{
+    OpenWindow open;
+    MainWindow& window = open.window;
+    window.docks().show("study");
+    auto& panel = window.docks().panel<StudyPanel>();
+    panel.open(file);
+    waitFor([&] { return panel.runner().study() || !panel.state().isEmpty(); });
+    if (!panel.runner().study())
+        return void(std::fprintf(stderr, "%s\n", qPrintable(panel.state())));
+    waitFor([&] { return panel.runner().task() == StudyRunner::Task::None; });
+    QTimer timer;
+    timer.setTimerType(Qt::PreciseTimer);
+    int turns = 0;
+    QObject::connect(&timer, &QTimer::timeout, [&] { ++turns; });
+    timer.start(1000 / 60);
+    panel.run();
+    const StudyRunner& runner = panel.runner();
+    waitFor([&] { return runner.planned() > 0; });
+    Pulse pulse;
+    for (std::size_t tenth = 1; tenth <= 10; ++tenth) {
+        pulse.start();
+        turns = 0;
+        const double seconds = waitFor([&] {
+            return runner.done() * 10 >= runner.planned() * tenth
+                   || runner.task() != StudyRunner::Task::Flying;
+        });
+        std::printf("%zu of %zu flights after %.1f s more: %.1f turns a second\n", runner.done(),
+                    runner.planned(), seconds, turns / seconds);
+        pulse.tell("");
+    }
+}
+
 template <typename Change>
 void forEachLink(Scene& scene, Change change)
 {
@@ -200,6 +239,10 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     QApplication::setApplicationName("RipstopBench");
     std::setvbuf(stdout, nullptr, _IOLBF, 0); // each line as it is known
+    if (argc > 1 && StudyPanel::isStudy(argv[1])) {
+        flyStudy(argv[1]);
+        return 0;
+    }
     if (argc > 1 && std::string_view(argv[1]).ends_with(".json")) {
         timePictures(application.arguments().mid(1));
         return 0;

@@ -230,7 +230,7 @@ private slots:
         QCOMPARE(design.at("pressure"), 0.0);
         QCOMPARE(design.at("rings"), 8.0);
         QVERIFY(design.at("cloth") > 0.0);
-        QVERIFY(newDesign(*findBuilder("rope"), {}).empty());
+        QVERIFY(newDesign(*findBuilder("stiffened_rod"), {}).empty());
     }
 
     void refusesWhatIsWrong()

@@ -2,7 +2,8 @@
 // matter.
 //
 // Stages: what is offered is in the library; an ideal kite is the paper's; then a real one, whose
-// mass is summed up by hand, built and flown at several resolutions, and of every cloth.
+// mass is summed up by hand, built and flown at several resolutions, and of every cloth; at last
+// lines and sheets.
 #include "builders/craft_materials.h"
 #include "check/check.h"
 #include "check/strength_gaps.h"
@@ -236,6 +237,44 @@ private slots:
         QVERIFY(simulation.runUntil(5.0));
         QVERIFY(simulation.frame()->accuracy.isMet());
         QVERIFY(probe(simulation, "max strain") < 0.05);
+    }
+
+    // A bob at the end of 10 m of line bounces about where the line is longer by
+    // L (m g + w L g / 2) / EA, w being its mass per length.
+    void aLineIsAsLongAsItsCordSays()
+    {
+        constexpr double length = 10.0, bob = 10.0; // m, kg
+        const Parameters given{
+            {"cord", 3}, {"length", length}, {"angle", 0}, {"segments", 30}, {"end_mass", bob}};
+        Simulation simulation(*compile(kite(given, "rope")));
+        double mean = 0.0;
+        constexpr int looks = 1000; // over some thirty bounces
+        for (int i = 1; i <= looks; ++i) {
+            QVERIFY(simulation.runUntil(0.02 * i));
+            mean += probe(simulation, "distance") / looks;
+        }
+        const double weight = bob + 0.5 * length * number("liros_ltc45", "linearDensity");
+        const double longer = length * weight * 9.80665 / number("liros_ltc45", "axialStiffness");
+        QVERIFY2(std::abs((mean - length) / longer - 1.0) < 0.02,
+                 qPrintable(QString("%1 of %2 mm").arg(1e3 * (mean - length)).arg(1e3 * longer)));
+        QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+
+    // Of the cloth that is chosen, carried by panels, whatever is said of ideal ones; and it lies
+    // on its ball, which it does not pass through.
+    void aSheetIsOfItsCloth()
+    {
+        const Scene scene = kite({{"cloth", 2}, {"density", 5}, {"stiffness", 1}}, "cloth");
+        const Part& part = partOf(scene);
+        QVERIFY(part.links.empty());
+        QCOMPARE(part.carrier, FabricKind::Panels);
+        const double expected = number("ripstop_075", "arealDensity"); // of 1 m^2
+        QVERIFY(std::abs(massOf(part) / expected - 1.0) < 1e-9);
+        Simulation simulation(*compile(scene));
+        QVERIFY(simulation.runUntil(3.0));
+        QVERIFY(probe(simulation, "max strain") < 0.01);
+        QVERIFY(probe(simulation, "lower edge") > 0.0);
+        QVERIFY(simulation.frame()->accuracy.isMet());
     }
 };
 

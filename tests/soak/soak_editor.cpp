@@ -19,6 +19,7 @@
 #include "model/sample_scenes.h"
 #include "scene/property.h"
 
+#include <QClipboard>
 #include <QPixmapCache>
 #include <QTemporaryDir>
 
@@ -87,6 +88,7 @@ private:
         m_shop.document.replace(Scene{});
         m_shop.window.showScene();
         turn(300);
+        QGuiApplication::clipboard()->clear(); // it holds what was copied of the sample
         QPixmapCache::clear(); // it is bounded, and fills for hours
         ::malloc_trim(0);      // what is free goes back, so that the rest can be compared
         std::printf("empty %zu\n", ::mallinfo2().uordblks + ::mallinfo2().hblkhd);
