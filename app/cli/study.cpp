@@ -199,6 +199,7 @@ int status(const std::string& file, bool json, EditedDesign edited)
                {"stopped", stopped},
                {"inaccurate", inaccurate},
                {"tornLines", known->torn},
+               {"ofAnotherBuild", known->other.rows},
                {"differing", known->differing}});
         return Done;
     }
@@ -213,6 +214,9 @@ int status(const std::string& file, bool json, EditedDesign edited)
               << bestText(*opened, flights);
     if (known->torn > 0)
         std::cout << "lines left out          " << known->torn << ", which a killed run tore\n";
+    if (known->other.rows > 0)
+        std::cout << "of another build        " << known->other.rows << ", by "
+                  << known->other.program << ": they stay, and are flown anew\n";
     if (known->differing > 0)
         std::cout << "flown twice, unlike     " << known->differing << '\n';
     return Done;

@@ -92,7 +92,10 @@ std::optional<std::pair<std::string, FlightResult>> rowOf(const Json& json)
     return std::pair(text("key"), std::move(flight));
 }
 
-void takeLine(std::string_view line, LedgerContent& content)
+std::string thisProgram() { return "Ripstop " + programVersion(); }
+
+//   program  that wrote the lines so far; a heading says whose come after it
+void takeLine(std::string_view line, LedgerContent& content, std::string& program)
 {
     if (line.empty())
         return;
@@ -101,6 +104,9 @@ void takeLine(std::string_view line, LedgerContent& content)
         const auto design = json.find("design");
         if (design != json.end() && design->is_string())
             content.designs.push_back(design->get<std::string>());
+        program = json.contains("program") && json["program"].is_string()
+                      ? json["program"].get<std::string>()
+                      : "";
         return;
     }
     auto row = json.is_object() ? rowOf(json) : std::nullopt;
@@ -108,6 +114,8 @@ void takeLine(std::string_view line, LedgerContent& content)
         ++content.torn;
         return;
     }
+    if (!program.empty() && program != thisProgram())
+        content.other = {content.other.rows + 1, program};
     const std::string hash = row->second.hash;
     const auto [place, isNew] = content.rows.insert(std::move(*row));
     content.differing += !isNew && place->second.hash != hash;
@@ -196,10 +204,11 @@ Result<LedgerContent> readLedgers(const fs::path& folder)
         const auto text = wholeContent(file);
         if (!text)
             return text.failure();
+        std::string program;
         std::string_view rest = *text;
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
-            takeLine(rest.substr(0, end), content);
+            takeLine(rest.substr(0, end), content, program);
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
     }
@@ -232,9 +241,9 @@ Result<Ledger> Ledger::open(const fs::path& folder, const std::string& shard,
     if (descriptor < 0)
         return cannotWrite(file);
     Ledger ledger(file, descriptor);
-    std::string heading = "\n{\"program\":\"Ripstop " + programVersion() + "\",\"design\":\""
-                          + design + "\",\"measures\":["; // ends
-    for (std::size_t i = 0; i < headings.size(); ++i) {   // what a killed process began
+    std::string heading = "\n{\"program\":\"" + thisProgram() + "\",\"design\":\"" + design
+                          + "\",\"measures\":[";        // ends
+    for (std::size_t i = 0; i < headings.size(); ++i) { // what a killed process began
         heading += i ? "," : "";
         appendQuoted(heading, headings[i]);
     }

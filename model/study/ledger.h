@@ -48,6 +48,13 @@ std::filesystem::path ledgerFolder(const std::filesystem::path& study);
 // The design that was flown, as it was then, by its hash: what is wanted when it was edited since.
 std::filesystem::path keptDesign(const std::filesystem::path& folder, const std::string& hash);
 
+// Another build has keys of its own, as it may fly otherwise: its rows stay, and are flown anew.
+struct OtherBuild
+{
+    std::size_t rows = 0;
+    std::string program; // the one that wrote last of them
+};
+
 // All rows of all shards. Rows of one key are the same; the first is taken.
 struct LedgerContent
 {
@@ -55,6 +62,7 @@ struct LedgerContent
     std::size_t torn = 0;             // lines that are no whole rows
     std::vector<std::string> designs; // hashes of those that were flown, in their order
     std::size_t differing = 0; // rows whose flight came to another hash than the first of their key
+    OtherBuild other;
 };
 Result<LedgerContent> readLedgers(const std::filesystem::path& folder);
 

@@ -267,6 +267,7 @@ private slots:
         QVERIFY(chart.isVisible());
         QCOMPARE(chart.pointCount(), 12);
         chart.plot().replot();
+        QVERIFY(chart.plot().axisRect()->width() > 0.5 * chart.plot().width());
         const std::size_t wanted = shop.panel.runner().study()->wanted.front();
         const double first = shop.panel.runner().flights()[0]->measured[wanted];
         const double x = chart.plot().xAxis->coordToPixel(1.0);

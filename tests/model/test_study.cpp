@@ -322,9 +322,16 @@ private slots:
             QVERIFY(!ledger->add("k3", flight));
             QVERIFY(!ledger->add("k1", flight)); // another hash: somebody should know
         }
+        std::ofstream(runs / "shard-2-of-2.jsonl")
+            << R"({"program":"Ripstop 0.1.0","design":"design","measures":["a","b"]})"
+               "\n"
+            << R"({"key":"k4","time":1,"steps":2,"hash":"00","torn":0,"measured":[1,2]})"
+               "\n";
         const auto content = readLedgers(runs);
         QVERIFY(content);
-        QCOMPARE(content->rows.size(), std::size_t(2));
+        QCOMPARE(content->other.rows, std::size_t(1)); // this build's are not among them
+        QCOMPARE(content->other.program, std::string("Ripstop 0.1.0"));
+        QCOMPARE(content->rows.size(), std::size_t(3));
         QCOMPARE(content->torn, std::size_t(1));
         QCOMPARE(content->differing, std::size_t(1));
         const FlightResult& row = content->rows.at("k1");

@@ -140,6 +140,8 @@ void putLegendAbove(QCustomPlot& plot)
     plot.plotLayout()->setRowSpacing(0);
     plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
     plot.legend->setVisible(true);
+    // an empty legend would be as wide as its margins at most, and so would what stands below it
+    plot.legend->setMaximumSize(QWIDGETSIZE_MAX / 2, QWIDGETSIZE_MAX);
 }
 
 QCPRange withAir(const QCPRange& values, double one)

@@ -197,6 +197,8 @@ void StudyForm::showPlan()
     m_generations->setValue(int(plan.generations));
     m_polish->setValue(int(plan.polish));
     m_count->setVisible(plan.draws());
+    for (VariableRow* row : m_rows)
+        row->showCount(plan.goesThroughValues());
     for (QWidget* one : std::initializer_list<QWidget*>{m_seed, m_seedLabel})
         one->setVisible(plan.draws() || isOptimised);
     for (QWidget* one : m_searchLabels)
@@ -257,6 +259,7 @@ void StudyForm::rebuild()
             emit edited();
         });
         m_variables->addWidget(row);
+        row->showCount(m_study.plan.goesThroughValues());
         m_rows.push_back(row);
     }
     m_hint->setText(m_rows.empty()

@@ -436,6 +436,10 @@ void StudyPanel::showState()
         words += ' ' + tr("%1 missed the wanted accuracy.").arg(tally.inaccurate);
     if (const double left = m_runner->secondsLeft(); std::isfinite(left))
         words += ' ' + tr("About %1 left.").arg(timeText(left));
+    if (const OtherBuild& other = m_runner->otherBuild(); other.rows > tally.flown)
+        words += ' '
+                 + tr("%n are of another build, %1, and are flown anew.", nullptr, int(other.rows))
+                       .arg(QString::fromStdString(other.program));
     if (!isOfTheDesign())
         words += ' '
                  + tr("It flies %1, which is not the design that is open.")

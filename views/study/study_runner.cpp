@@ -48,6 +48,7 @@ void StudyRunner::close()
     m_study = nullptr;
     m_flights.clear();
     m_rows.clear();
+    m_otherBuild = {};
     m_kept.clear();
 }
 
@@ -98,6 +99,7 @@ void StudyRunner::open(const std::filesystem::path& file)
         return [this, found] {
             m_study = found->study;
             m_rows = std::move(found->content.rows); // rows stay where they are
+            m_otherBuild = found->content.other;
             m_flights = std::move(found->flights);
             emit opened();
         };

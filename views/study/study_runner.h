@@ -41,8 +41,9 @@ public:
     void stop(); // and wait for what is under way to end
     void close();
 
-    const OpenedStudy* study() const { return m_study.get(); } // null: none is open
-    const StudyFlights& flights() const { return m_flights; }  // of its points
+    const OpenedStudy* study() const { return m_study.get(); }    // null: none is open
+    const StudyFlights& flights() const { return m_flights; }     // of its points
+    const OtherBuild& otherBuild() const { return m_otherBuild; } // whose rows were there
     StudyTally tally() const { return tallyOf(m_flights); }
 
     // A flight that was flown again.
@@ -100,6 +101,7 @@ private:
 
     std::shared_ptr<OpenedStudy> m_study; // the points of an optimisation become more
     LedgerRows m_rows;
+    OtherBuild m_otherBuild;
     StudyFlights m_flights;
     Task m_task = Task::None;
     int m_number = 0;          // of what was begun last

@@ -101,8 +101,7 @@ void VariableRow::addRange(QGridLayout& grid)
     m_count->setRange(0, mostSteps);
     m_count->setValue(int(m_variable.values.size()));
     m_count->setAccessibleName(tr("Values"));
-    m_count->setToolTip(
-        tr("How many values, both ends included; 0 for plans that draw between them."));
+    m_count->setToolTip(tr("How many values, both ends included."));
     m_log = new QToolButton;
     m_log->setText(tr("log"));
     m_log->setCheckable(true);
@@ -111,7 +110,8 @@ void VariableRow::addRange(QGridLayout& grid)
     grid.addWidget(m_from, 1, 0);
     grid.addWidget(new QLabel(QStringLiteral("–")), 1, 1);
     grid.addWidget(m_to, 1, 2);
-    grid.addWidget(new QLabel(QStringLiteral("×")), 1, 3);
+    m_times = new QLabel(QStringLiteral("×"));
+    grid.addWidget(m_times, 1, 3);
     grid.addWidget(m_count, 1, 4);
     grid.addWidget(m_log, 1, 5);
     grid.setColumnStretch(0, 1);
@@ -120,6 +120,13 @@ void VariableRow::addRange(QGridLayout& grid)
     connect(m_to, &ValueEdit::committed, this, &VariableRow::takeRange);
     connect(m_count, &QSpinBox::valueChanged, this, &VariableRow::takeRange);
     connect(m_log, &QToolButton::clicked, this, &VariableRow::takeRange);
+}
+
+void VariableRow::showCount(bool isShown)
+{
+    if (m_count)
+        for (QWidget* one : std::initializer_list<QWidget*>{m_times, m_count})
+            one->setVisible(isShown);
 }
 
 void VariableRow::takeRange()

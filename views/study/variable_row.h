@@ -29,6 +29,8 @@ public:
 
     const StudyVariable& variable() const { return m_variable; }
 
+    void showCount(bool isShown); // of values, which a plan that draws between them has not
+
 signals:
     void edited();
     void removed();
@@ -44,6 +46,7 @@ private:
     QString m_unit;
     ValueEdit* m_from = nullptr;
     ValueEdit* m_to = nullptr;
+    QLabel* m_times = nullptr; // before the count
     QSpinBox* m_count = nullptr;
     QToolButton* m_log = nullptr;
     Complaint* m_complaint;
