@@ -9602,6 +9602,11 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     </message>
     <message>
         <location filename="study_panel.cpp"/>
+        <source>Flown by another build, %1: %2. They stay, and are flown anew.</source>
+        <translation>Volés par une autre version, %1 : %2. Ils restent, et sont refaits.</translation>
+    </message>
+    <message>
+        <location filename="study_panel.cpp"/>
         <source>Flying it again…</source>
         <translation>Nouveau vol…</translation>
     </message>
@@ -17038,8 +17043,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="variable_row.cpp"/>
-        <source>How many values, both ends included; 0 for plans that draw between them.</source>
-        <translation>Combien de valeurs, les deux bouts compris ; 0 pour les plans qui tirent entre eux.</translation>
+        <source>How many values, both ends included.</source>
+        <translation>Combien de valeurs, les deux bouts compris.</translation>
     </message>
     <message>
         <location filename="variable_row.cpp"/>

@@ -438,8 +438,9 @@ void StudyPanel::showState()
         words += ' ' + tr("About %1 left.").arg(timeText(left));
     if (const OtherBuild& other = m_runner->otherBuild(); other.rows > tally.flown)
         words += ' '
-                 + tr("%n are of another build, %1, and are flown anew.", nullptr, int(other.rows))
-                       .arg(QString::fromStdString(other.program));
+                 + tr("Flown by another build, %1: %2. They stay, and are flown anew.")
+                       .arg(QString::fromStdString(other.program))
+                       .arg(other.rows);
     if (!isOfTheDesign())
         words += ' '
                  + tr("It flies %1, which is not the design that is open.")
