@@ -137,7 +137,7 @@ std::vector<MapSegment> contour(const StudyMap& map, double level)
             // A saddle has four: its middle says whether the first corner stands alone.
             const double middle = (value[0] + value[1] + value[2] + value[3]) / 4.0;
             if (crossing.size() == 4 && (middle < level) != (value[0] < level))
-                std::ranges::rotate(crossing, crossing.begin() + 1);
+                std::rotate(crossing.begin(), crossing.begin() + 1, crossing.end());
             for (std::size_t i = 0; i + 1 < crossing.size(); i += 2)
                 lines.push_back({crossing[i], crossing[i + 1]});
         }
