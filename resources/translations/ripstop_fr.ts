@@ -2265,16 +2265,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
-        <source>%1 and %2 more exist already. Replace them?</source>
-        <translation>%1 et %2 autres existent déjà. Les remplacer ?</translation>
-    </message>
-    <message>
-        <location filename="export_dialog.cpp"/>
-        <source>%1 exists already. Replace it?</source>
-        <translation>%1 existe déjà. Le remplacer ?</translation>
-    </message>
-    <message>
-        <location filename="export_dialog.cpp"/>
         <source>&amp;Legend and compass</source>
         <translation>&amp;Légende et boussole</translation>
     </message>
@@ -2292,11 +2282,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="export_dialog.cpp"/>
         <source>&amp;To</source>
         <translation>&amp;À</translation>
-    </message>
-    <message>
-        <location filename="export_dialog.cpp"/>
-        <source>Cancelled; nothing was kept.</source>
-        <translation>Annulé ; rien n’a été gardé.</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -2350,6 +2335,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
         <source>How fast the film shows the flight; 0.1 is ten times slower than it is.</source>
         <translation>À quelle vitesse le film montre le vol ; 0,1 est dix fois plus lent qu’en vrai.</translation>
     </message>
@@ -2362,11 +2352,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="export_dialog.cpp"/>
         <source>R&amp;ate</source>
         <translation>&amp;Cadence</translation>
-    </message>
-    <message>
-        <location filename="export_dialog.cpp"/>
-        <source>Replace what is there?</source>
-        <translation>Remplacer ce qui est là ?</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -2410,13 +2395,13 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
-        <source>There is nothing on the screen to export; see the list of problems.</source>
-        <translation>Il n’y a rien à exporter à l’écran ; voir la liste des problèmes.</translation>
+        <source>Transparent &amp;background</source>
+        <translation>&amp;Fond transparent</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
-        <source>Transparent &amp;background</source>
-        <translation>&amp;Fond transparent</translation>
+        <source>Width</source>
+        <translation>Largeur</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -2424,7 +2409,32 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>pixels</translation>
     </message>
     <message>
-        <location filename="export_dialog.cpp"/>
+        <location filename="export_dialog_work.cpp"/>
+        <source>%1 and %2 more exist already. Replace them?</source>
+        <translation>%1 et %2 autres existent déjà. Les remplacer ?</translation>
+    </message>
+    <message>
+        <location filename="export_dialog_work.cpp"/>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 existe déjà. Le remplacer ?</translation>
+    </message>
+    <message>
+        <location filename="export_dialog_work.cpp"/>
+        <source>Cancelled; nothing was kept.</source>
+        <translation>Annulé ; rien n’a été gardé.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog_work.cpp"/>
+        <source>Replace what is there?</source>
+        <translation>Remplacer ce qui est là ?</translation>
+    </message>
+    <message>
+        <location filename="export_dialog_work.cpp"/>
+        <source>There is nothing on the screen to export; see the list of problems.</source>
+        <translation>Il n’y a rien à exporter à l’écran ; voir la liste des problèmes.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog_work.cpp"/>
         <source>the picture could not be saved</source>
         <translation>l’image n’a pas pu être enregistrée</translation>
     </message>
@@ -6195,11 +6205,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
-        <source>Height</source>
-        <translation>Hauteur</translation>
-    </message>
-    <message>
-        <location filename="picture_dialog.cpp"/>
         <source>JPEG has no transparency: the background will be white.</source>
         <translation>JPEG ne connaît pas la transparence : le fond sera blanc.</translation>
     </message>
@@ -6252,11 +6257,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="picture_dialog.cpp"/>
         <source>White paper, with shadows</source>
         <translation>Papier blanc, avec les ombres</translation>
-    </message>
-    <message>
-        <location filename="picture_dialog.cpp"/>
-        <source>Width</source>
-        <translation>Largeur</translation>
     </message>
     <message>
         <location filename="picture_file.cpp"/>
