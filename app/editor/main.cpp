@@ -17,6 +17,7 @@
 #include "document/words.h"
 #include "editor/display_check.h"
 #include "editor/end_signals.h"
+#include "editor/heap_thrift.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/screenshot.h"
@@ -110,6 +111,7 @@ int main(int argc, char** argv)
         (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
     }
 
+    keepHeapSmall();
     QSurfaceFormat format; // has to be set before the application exists
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);

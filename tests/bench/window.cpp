@@ -22,6 +22,7 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "editor/heap_thrift.h"
 #include "editor/main_window.h"
 #include "inspector/inspector.h"
 #include "inspector/tuning_panel.h"
@@ -231,6 +232,7 @@ void forEachLink(Scene& scene, Change change)
 
 int main(int argc, char** argv)
 {
+    keepHeapSmall();
     QSurfaceFormat format;
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);

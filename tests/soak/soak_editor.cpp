@@ -15,6 +15,7 @@
 #include "base/hash_text.h"
 #include "document/recordings.h"
 #include "editor/end_signals.h"
+#include "editor/heap_thrift.h"
 #include "io/scene_file.h"
 #include "model/sample_scenes.h"
 #include "scene/property.h"
@@ -252,6 +253,7 @@ private:
 
 int main(int argc, char** argv)
 {
+    keepHeapSmall();
     QSurfaceFormat format; // before the application exists, as VTK needs it
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);
