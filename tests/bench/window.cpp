@@ -194,10 +194,9 @@ void flyStudy(const QString& file)
     window.docks().show("study");
     auto& panel = window.docks().panel<StudyPanel>();
     panel.open(file);
-    waitFor([&] { return panel.runner().study() || !panel.state().isEmpty(); });
+    waitFor([&] { return panel.runner().task() == StudyRunner::Task::None; });
     if (!panel.runner().study())
         return void(std::fprintf(stderr, "%s\n", qPrintable(panel.state())));
-    waitFor([&] { return panel.runner().task() == StudyRunner::Task::None; });
     QTimer timer;
     timer.setTimerType(Qt::PreciseTimer);
     int turns = 0;
