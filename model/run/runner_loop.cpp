@@ -48,16 +48,15 @@ RunnerLoop::Asked RunnerLoop::asked() const
 
 void RunnerLoop::takeUpdates()
 {
-    auto updates = m_mail.takeUpdates();
+    std::vector<Update> updates = m_mail.takeUpdates();
     if (updates.empty())
         return;
-    for (Update& waiting : updates) {
-        const Update update = std::exchange(waiting, {});
-        if (!m_simulation)
-            m_simulation.emplace(update.system, Simulation::mostThreads());
-        m_simulation->load(update);
-        m_recorder.loaded(*m_simulation, update.design);
-    }
+    const Design design = updates.back().design;
+    if (!m_simulation)
+        m_simulation.emplace(updates.front().system, Simulation::mostThreads());
+    m_simulation->load(
+        std::move(updates)); // however fast a slider is pulled, it is one edit a step
+    m_recorder.loaded(*m_simulation, design);
     if (m_settler && m_settler->run() != m_simulation->system().run)
         m_settler.emplace(m_settler->goal(), *m_simulation);
     m_timetable.restart();

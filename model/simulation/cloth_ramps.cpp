@@ -108,17 +108,19 @@ NotedCloth::NotedCloth(const System& system, const State& state)
     , m_lawRamps(state.clothRamps)
     , m_cutRamps(state.panelRamps)
 {
+    RampFinder lawRampOf(m_lawRamps, &ClothRamp::material);
     for (std::size_t i = 0; i < system.cloth.size(); ++i) {
         const Key material = system.materialAir[i].key;
-        const ClothRamp* ramp = rampOf(m_lawRamps, &ClothRamp::material, material);
+        const ClothRamp* ramp = lawRampOf(material);
         m_laws.push_back({material, ramp ? lawBetween(ramp->from, ramp->to, shareOf(*ramp, m_time))
                                          : system.cloth[i]});
     }
     m_panels.reserve(system.membranes.size());
+    RampFinder cutRampOf(m_cutRamps, &PanelRamp::panel);
     for (const Membrane& membrane : system.membranes) {
         const auto panel = std::size_t(membrane.panel);
         const Key key = system.panelKey[panel];
-        const PanelRamp* ramp = rampOf(m_cutRamps, &PanelRamp::panel, key);
+        const PanelRamp* ramp = cutRampOf(key);
         m_panels.push_back(
             {key, system.materialAir[std::size_t(system.panels[panel].air)].key,
              ramp ? cutBetween(ramp->from, ramp->to, shareOf(*ramp, m_time)) : PanelCut(membrane),
@@ -129,13 +131,14 @@ NotedCloth::NotedCloth(const System& system, const State& state)
 std::vector<ClothRamp> NotedCloth::lawRampsTo(const System& edited, RampWay& way) const
 {
     std::vector<ClothRamp> ramps;
+    RampFinder rampOf(m_lawRamps, &ClothRamp::material);
     for (std::size_t i = 0; i < edited.cloth.size(); ++i) {
         const Key material = edited.materialAir[i].key;
         const ClothLaw& to = edited.cloth[i];
         const auto noted = std::ranges::find(m_laws, material, &Law::material);
         if (noted == m_laws.end())
             continue;
-        const ClothRamp* ramp = rampOf(m_lawRamps, &ClothRamp::material, material);
+        const ClothRamp* ramp = rampOf(material);
         if (ramp && ramp->to == to) {
             ramps.push_back(*ramp);
             continue;
@@ -163,6 +166,7 @@ std::vector<PanelRamp> NotedCloth::cutRampsTo(const System& edited, RampWay& way
     for (std::size_t i = 0; i < m_panels.size(); ++i)
         index.add(m_panels[i].key, int(i));
     std::vector<PanelRamp> ramps;
+    RampFinder rampOf(m_cutRamps, &PanelRamp::panel);
     for (const Membrane& membrane : edited.membranes) {
         const Key key = edited.panelKey[std::size_t(membrane.panel)];
         const int place = index(key);
@@ -170,7 +174,7 @@ std::vector<PanelRamp> NotedCloth::cutRampsTo(const System& edited, RampWay& way
             continue;
         const Panel& noted = m_panels[std::size_t(place)];
         const PanelCut& to = membrane;
-        const PanelRamp* ramp = rampOf(m_cutRamps, &PanelRamp::panel, key);
+        const PanelRamp* ramp = rampOf(key);
         if (ramp && ramp->to == to) {
             ramps.push_back(*ramp);
         } else if (noted.cut != to && edited.rampTime > 0.0) {
@@ -186,16 +190,18 @@ std::vector<PanelRamp> NotedCloth::cutRampsTo(const System& edited, RampWay& way
 
 void addCloth(const System& system, const State& state, double time, Patch& patch)
 {
+    RampFinder lawRampOf(state.clothRamps, &ClothRamp::material);
     for (std::size_t i = 0; i < system.cloth.size(); ++i) {
         const Key key = system.materialAir[i].key;
-        if (const ClothRamp* ramp = rampOf(state.clothRamps, &ClothRamp::material, key))
+        if (const ClothRamp* ramp = lawRampOf(key))
             patch.laws.emplace_back(key, lawBetween(ramp->from, ramp->to, shareOf(*ramp, time)));
     }
     if (state.panelRamps.empty())
         return;
+    RampFinder cutRampOf(state.panelRamps, &PanelRamp::panel);
     for (std::size_t i = 0; i < system.membranes.size(); ++i) {
         const Key key = system.panelKey[std::size_t(system.membranes[i].panel)];
-        if (const PanelRamp* ramp = rampOf(state.panelRamps, &PanelRamp::panel, key))
+        if (const PanelRamp* ramp = cutRampOf(key))
             patch.cuts.emplace_back(int(i), cutBetween(ramp->from, ramp->to, shareOf(*ramp, time)));
     }
 }

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -53,12 +52,37 @@ struct RampWay
     }
 };
 
-// The ramp of a key, or null; `ramps` in ascending order of `key`.
+// Finds the ramps of keys, of which there may be a hundred thousand. Keys that are asked about in
+// ascending order, as those of a part mostly are, need no search.
 template <typename R, typename K>
-const R* rampOf(const std::vector<R>& ramps, K R::*key, const K& wanted)
+class RampFinder
 {
-    const auto found = std::ranges::lower_bound(ramps, wanted, {}, key);
-    return found != ramps.end() && std::invoke(key, *found) == wanted ? &*found : nullptr;
-}
+public:
+    //   ramps  in ascending order of `key`; must outlive this
+    RampFinder(const std::vector<R>& ramps, K R::*key)
+        : m_ramps(ramps)
+        , m_key(key)
+    {}
+
+    const R* operator()(const K& wanted) // or null
+    {
+        if (!isNext(wanted))
+            m_next =
+                std::size_t(std::ranges::lower_bound(m_ramps, wanted, {}, m_key) - m_ramps.begin());
+        const bool isThere = m_next < m_ramps.size() && m_ramps[m_next].*m_key == wanted;
+        return isThere ? &m_ramps[m_next++] : nullptr;
+    }
+
+private:
+    bool isNext(const K& wanted) const
+    {
+        return (m_next == 0 || m_ramps[m_next - 1].*m_key < wanted)
+               && (m_next == m_ramps.size() || !(m_ramps[m_next].*m_key < wanted));
+    }
+
+    const std::vector<R>& m_ramps;
+    K R::*m_key;
+    std::size_t m_next = 0; // the first that is not below the key asked about last
+};
 
 } // namespace ripstop

@@ -111,8 +111,9 @@ NotedNumbers::NotedNumbers(const System& system, const State& state)
     , m_cloth(system, state)
 {
     m_links.reserve(system.links.size());
+    RampFinder rampOf(m_ramps, &Ramp::link);
     for (const LinkPlace& link : system.links) {
-        const Ramp* ramp = rampOf(m_ramps, &Ramp::link, link.key);
+        const Ramp* ramp = rampOf(link.key);
         m_links.push_back(
             {link.key,
              link.kind,
@@ -140,13 +141,14 @@ std::vector<Ramp> NotedNumbers::linkRampsTo(const System& edited, RampWay& way) 
     for (std::size_t i = 0; i < m_links.size(); ++i)
         index.add(m_links[i].key, int(i));
     std::vector<Ramp> ramps;
+    RampFinder rampOf(m_ramps, &Ramp::link);
     for (const LinkPlace& link : edited.links) {
         const int place = index(link.key);
         if (place < 0)
             continue;
         const Link& noted = m_links[std::size_t(place)];
         const Ramp::Numbers to = numbersOf(edited, link);
-        if (const Ramp* ramp = rampOf(m_ramps, &Ramp::link, link.key); ramp && ramp->to == to) {
+        if (const Ramp* ramp = rampOf(link.key); ramp && ramp->to == to) {
             ramps.push_back(*ramp);
             continue;
         }

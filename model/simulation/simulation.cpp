@@ -51,7 +51,7 @@ public:
     {}
 
     void load(std::shared_ptr<const System> system);
-    void apply(const Patch& patch);
+    void apply(std::span<const std::shared_ptr<const Patch>> patches);
     void resume(const Moment& moment);
     void place(State state);
     bool step();
@@ -144,20 +144,25 @@ void Simulation::Private::load(std::shared_ptr<const System> system)
     trouble.reset(); // the edit may have cured it
 }
 
-void Simulation::Private::apply(const Patch& patch)
+// One edit, of patches of one run: what goes over begins where it was before all of them.
+void Simulation::Private::apply(std::span<const std::shared_ptr<const Patch>> patches)
 {
     accuracy = {};
     loads.edited();
-    const bool again = patch.run != derived.compiled()->run;
+    const bool again = patches.back()->run != derived.compiled()->run;
     const auto noted = numbersBeforeEdit();
     std::shared_ptr<const System> before = endRamps();
-    if (auto derivedBefore = derived.apply(patch))
-        before = std::move(derivedBefore);
+    for (const auto& patch : patches)
+        if (auto derivedBefore = derived.apply(*patch))
+            before = std::move(derivedBefore);
     trouble.reset();
     if (before && again)
         return startOver();
-    if (again)
-        return resetTo(patch);
+    if (again) {
+        for (const auto& patch : patches)
+            resetTo(*patch);
+        return;
+    }
     rampFrom(noted);
     if (before) { // what tears have split is made anew from what was patched
         run.atStart = false;
@@ -165,15 +170,16 @@ void Simulation::Private::apply(const Patch& patch)
     }
 
     // what carryOver() does, for what can differ
-    for (const auto& [i, row] : patch.particles) {
-        run.atStart = false;
-        if (row.pinned) {
-            run.now.velocity[std::size_t(i)].setZero();
-            run.now.drift[std::size_t(i)].setZero();
-            run.now.velocityBefore[std::size_t(i)].setZero();
+    for (const auto& patch : patches)
+        for (const auto& [i, row] : patch->particles) {
+            run.atStart = false;
+            if (row.pinned) {
+                run.now.velocity[std::size_t(i)].setZero();
+                run.now.drift[std::size_t(i)].setZero();
+                run.now.velocityBefore[std::size_t(i)].setZero();
+            }
+            turnAlong(guidedOf(row, i), run.now);
         }
-        turnAlong(guidedOf(row, i), run.now);
-    }
 }
 
 // A new run begins with the patch. While a design at rest is edited there is little to put back.
@@ -354,14 +360,30 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::load(std::shared_ptr<const System> system) { d->load(std::move(system)); }
 
-void Simulation::load(const Update& update)
+void Simulation::load(std::vector<Update> updates)
 {
-    if (update.system)
-        d->load(update.system);
-    if (update.patch)
-        d->apply(*update.patch);
-    if (update.moment)
-        d->resume(*update.moment);
+    std::vector<std::shared_ptr<const Patch>> patches; // of one edit
+    const auto applyPatches = [&] {
+        if (!patches.empty())
+            d->apply(patches);
+        patches.clear();
+    };
+    for (Update& update : updates) {
+        if (update.system) {
+            applyPatches();
+            d->load(std::exchange(update.system, nullptr)); // a patch copies what others hold
+        }
+        if (update.patch) {
+            if (!patches.empty() && patches.back()->run != update.patch->run)
+                applyPatches();
+            patches.push_back(std::move(update.patch));
+        }
+        if (update.moment) {
+            applyPatches();
+            d->resume(*update.moment);
+        }
+    }
+    applyPatches();
 }
 
 void Simulation::command(const Commands& commands)

@@ -48,7 +48,10 @@ public:
 
     // Goes on after an edit. A patch changes the system in place and leaves it with the same bits
     // as loading the compiled scene; the system is copied first if anyone else holds it.
-    void load(const Update& update);
+    void load(Update update) { load(std::vector{std::move(update)}); }
+
+    // Those that have come while it was busy: patches that follow each other are one edit.
+    void load(std::vector<Update> updates);
 
     void command(const Commands& commands);
 

@@ -12,6 +12,8 @@
 
 #include <QtTest>
 
+#include <map>
+
 namespace ripstop::test_ramps {
 
 namespace {
@@ -50,6 +52,14 @@ Scene withAll(Scene scene, double Material::*number, double value)
         if (auto* material = std::get_if<Material>(&entry.item))
             material->*number = value;
     return scene;
+}
+
+Id mainMaterial(const Scene& scene) // that most links are made of
+{
+    std::map<Id, int> links;
+    for (const Link& link : partOf(scene).links)
+        ++links[link.material];
+    return std::ranges::max_element(links, {}, [](const auto& one) { return one.second; })->first;
 }
 
 } // namespace
@@ -187,6 +197,42 @@ private slots:
         QVERIFY(std::abs(compliance(simulation) - 0.0011) < 1e-9);
         runFor(simulation, 0.06);
         QCOMPARE(compliance(simulation), 0.0016);
+    }
+
+    // A slider that is pulled faster than steps are made sends many edits between two of them. They
+    // are taken over as one, to the same bits as one after the other; in a torn mesh as well.
+    void editsThatComeTogetherAreOne()
+    {
+        for (const char* name : {"delta_kite", "split_sheet"}) {
+            LiveSystem live(sample(name));
+            Simulation together(std::get<Update>(live.update(1, 1)).system);
+            Simulation apart(*compile(live.scene(), 1, 1));
+            for (Simulation* simulation : {&together, &apart})
+                runFor(*simulation, 1.0);
+            std::vector<Update> updates;
+            std::uint64_t generation = 1;
+            const auto type = [&](const char* key, double value) {
+                live.apply({Message("test"),
+                            {SetValues{findProperty(Kind::Material, key),
+                                       {mainMaterial(live.scene())},
+                                       {value}}}});
+                updates.push_back(std::get<Update>(live.update(++generation, 1)));
+                QVERIFY(updates.back().patch);
+            };
+            for (const double value : {1e-6, 3e-6, 2e-6})
+                type("compliance", value);
+            type("stiffness", 150.0);
+            type("tearLimit", 0.9);
+            for (const Update& update : updates)
+                apart.load(update);
+            together.load(updates);
+            QVERIFY(!together.state().ramps.empty());
+            QCOMPARE(differingField(together.system(), apart.system()), std::string_view());
+            for (int step = 0; step < 40; ++step)
+                for (Simulation* simulation : {&together, &apart})
+                    QVERIFY(simulation->step());
+            QCOMPARE(stateHash(together.state()), stateHash(apart.state()));
+        }
     }
 
     void countsAtOnceWhereNothingMovesYetOrNoTimeIsGiven()
