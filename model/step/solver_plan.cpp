@@ -26,7 +26,7 @@ namespace {
 constexpr int mostSubsteps = 2000;
 constexpr double safety = 1.5;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
-constexpr double slowBends = 10.0;        // time steps that what bends is stable for
+constexpr double slowBends = 2.0;         // time steps that what bends is stable for
 constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
 constexpr double manySubsteps = 100.0;    // in 10 ms
 constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network

@@ -20,7 +20,7 @@
 // Stiff forces, as bends, bound the substep themselves (forces/forces.h).
 //
 // The automatic integrator takes BDF2 where all rods are solved together, all of them stretch and
-// are damped, and what is not solved with them, as bends of cloth, swings so slowly that ten time
+// are damped, and what is not solved with them, as bends of cloth, swings so slowly that two time
 // steps would be stable. One substep is then as true as four of Euler's, so
 // that a quarter of System::substeps are enough. Rods that never stretch ring like bells with
 // nothing to calm them but what Euler loses, and keep it. BDF2 that the author wants gets all rods
