@@ -170,8 +170,14 @@ Parameters newDesign(const Builder& builder, const Parameters& given)
     Parameters all = given;
     if (const auto cloth = given.find("cloth"); cloth != given.end() && cloth->second == 0.0)
         return all;
+    const auto isIdealBy = [&](std::string_view key) { // by a number that says so
+        return std::ranges::any_of(builder.parameters, [&](const Parameter& parameter) {
+            return parameter.needs.key == key && parameter.needs.is == ParameterNeed::Is::Zero
+                   && given.contains(std::string(parameter.key));
+        });
+    };
     for (const Parameter& parameter : builder.parameters)
-        if (parameter.offered)
+        if (parameter.offered && !isIdealBy(parameter.key))
             all.emplace(parameter.key, *parameter.offered);
     return all;
 }

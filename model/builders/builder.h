@@ -107,7 +107,8 @@ Result<Scene> build(const Builder& builder, const Parameters& given);
 Parameters unsaid(const Builder& builder); // every parameter at `initial`
 
 // What is said of a new design, with what is offered for the rest. Who says that its cloth is ideal
-// wants the papers' design, and is offered nothing else.
+// wants the papers' design, and is offered nothing else; who gives a number that counts beside an
+// ideal material only, as the stiffness of a rope, is not offered a real one there.
 Parameters newDesign(const Builder& builder, const Parameters& given);
 
 void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows);

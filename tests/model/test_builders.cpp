@@ -233,6 +233,17 @@ private slots:
         QVERIFY(newDesign(*findBuilder("stiffened_rod"), {}).empty());
     }
 
+    // Numbers of a material of one's own are not ignored for one of the library.
+    void numbersOfOnesOwnAreTaken()
+    {
+        QVERIFY(newDesign(*findBuilder("rope"), {{"length", 3.0}}).contains("cord"));
+        QVERIFY(!newDesign(*findBuilder("rope"), {{"axial", 1e5}}).contains("cord"));
+        QVERIFY(!newDesign(*findBuilder("cloth"), {{"membrane", 4e4}}).contains("cloth"));
+        const Parameters kite = newDesign(*findBuilder("delta_kite"), {{"line_density", 1e-3}});
+        QVERIFY(!kite.contains("cord") && kite.contains("cloth") && kite.contains("spars"));
+        QCOMPARE(newDesign(*findBuilder("rope"), {{"axial", 1e5}, {"cord", 2.0}}).at("cord"), 2.0);
+    }
+
     void refusesWhatIsWrong()
     {
         const Builder& kite = *findBuilder("delta_kite");
