@@ -15,9 +15,9 @@
 #include "document/rescue.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "editor/allocator_settings.h"
 #include "editor/display_check.h"
 #include "editor/end_signals.h"
-#include "editor/heap_thrift.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/screenshot.h"
@@ -111,7 +111,7 @@ int main(int argc, char** argv)
         (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
     }
 
-    keepHeapSmall();
+    setUpAllocator();
     QSurfaceFormat format; // has to be set before the application exists
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);

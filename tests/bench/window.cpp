@@ -22,7 +22,7 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
-#include "editor/heap_thrift.h"
+#include "editor/allocator_settings.h"
 #include "editor/main_window.h"
 #include "inspector/inspector.h"
 #include "inspector/tuning_panel.h"
@@ -231,7 +231,7 @@ void forEachLink(Scene& scene, Change change)
 
 int main(int argc, char** argv)
 {
-    keepHeapSmall();
+    setUpAllocator();
     QSurfaceFormat format;
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);

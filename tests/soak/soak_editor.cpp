@@ -14,8 +14,8 @@
 #include "app/window_shop.h"
 #include "base/hash_text.h"
 #include "document/recordings.h"
+#include "editor/allocator_settings.h"
 #include "editor/end_signals.h"
-#include "editor/heap_thrift.h"
 #include "io/scene_file.h"
 #include "model/sample_scenes.h"
 #include "scene/property.h"
@@ -90,8 +90,8 @@ private:
         m_shop.window.showScene();
         turn(300);
         QGuiApplication::clipboard()->clear(); // it holds what was copied of the sample
-        QPixmapCache::clear(); // it is bounded, and fills for hours
-        ::malloc_trim(0);      // what is free goes back, so that the rest can be compared
+        QPixmapCache::clear();                 // it is bounded, and fills for hours
+        ::malloc_trim(0); // what is free goes back, so that the rest can be compared
         std::printf("empty %zu\n", ::mallinfo2().uordblks + ::mallinfo2().hblkhd);
         std::fflush(stdout);
         std::string line;
@@ -253,7 +253,7 @@ private:
 
 int main(int argc, char** argv)
 {
-    keepHeapSmall();
+    setUpAllocator();
     QSurfaceFormat format; // before the application exists, as VTK needs it
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);

@@ -1,4 +1,4 @@
-#include "editor/heap_thrift.h"
+#include "editor/allocator_settings.h"
 
 #include <cstdlib> // says whether there is glibc
 
@@ -8,7 +8,7 @@
 
 namespace ripstop {
 
-void keepHeapSmall()
+void setUpAllocator()
 {
 #ifdef __GLIBC__
     constexpr int keptAtTop = 4 << 20;   // bytes
