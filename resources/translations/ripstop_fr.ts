@@ -4476,6 +4476,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>The worst of the run is the launch, %1 after the start: what is let go at rest is jerked.</source>
+        <translation>Le pire du vol est le lancer, %1 après le début : ce qui est lâché au repos subit une secousse.</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>There is no material here whose strength could be compared with a load. Insert a material of the library and give it to lines, cloth or spars.</source>
         <translation>Il n’y a ici aucun matériau dont la résistance puisse être comparée à une charge. Insérer un matériau de la bibliothèque et le donner à des lignes, des toiles ou des longerons.</translation>
     </message>

@@ -129,6 +129,31 @@ private slots:
         QVERIFY(list.selectedItems().isEmpty());
     }
 
+    // A bob that is let go half a metre above the end of its line jerks it, and hangs there then:
+    // the list says that its worst is the launch. One that hangs from the start says nothing.
+    void tellsOfTheLaunch()
+    {
+        const auto launchOf = [](double above) {
+            Scene scene = hangingPair(400.0);
+            auto& part = std::get<Part>(*findItem(scene, Id{1}));
+            part.particles.back().position.y() += above;
+            scene.settings.viscosity = 2.0;
+            Bench bench(std::move(scene));
+            bench.player.playUntil(4.0);
+            const auto isTold = [&] {
+                for (QLabel* label : bench.panel.findChildren<QLabel*>())
+                    if (label->isVisible() && label->text().contains("launch"))
+                        return true;
+                return false;
+            };
+            return QTest::qWaitFor(
+                       [&] { return bench.player.frame() && bench.player.frame()->time > 3.9; })
+                   && QTest::qWaitFor(isTold, 1000);
+        };
+        QVERIFY(launchOf(0.3));
+        QVERIFY(!launchOf(0.0));
+    }
+
     // A list that is silent of some elements says so.
     void namesWhatIsNotJudged()
     {

@@ -6,6 +6,7 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "document/spoken.h"
 #include "loads/load_list.h"
 #include "run/has_margins.h"
 #include "scene/property.h"
@@ -43,6 +44,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     , m_ofRun(new LoadList(tr("Worst of the run"), tr("Worst places of the run")))
     , m_unjudged(new QLabel)
     , m_untearable(new QLabel)
+    , m_launch(new QLabel)
 {
     m_pages->addWidget(emptyPage());
     m_pages->addWidget(listPage());
@@ -96,7 +98,7 @@ QWidget* LoadPanel::listPage()
     lists->setChildrenCollapsible(false);
     lists->setStretchFactor(0, 5); // it has no times
     lists->setStretchFactor(1, 6);
-    for (QLabel* note : {m_unjudged, m_untearable}) {
+    for (QLabel* note : {m_unjudged, m_untearable, m_launch}) {
         note->setWordWrap(true);
         note->setMargin(4);
         note->setTextFormat(Qt::RichText);
@@ -114,6 +116,7 @@ QWidget* LoadPanel::listPage()
     layout->addWidget(lists, 1);
     layout->addWidget(m_unjudged);
     layout->addWidget(m_untearable);
+    layout->addWidget(m_launch);
     return page;
 }
 
@@ -162,6 +165,7 @@ void LoadPanel::refresh()
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
     m_ofRun->showPlaces(m_document.scene(), ofRun.all());
+    showLaunch(*frame, ofRun);
     if (std::exchange(m_isEdited, false)) {
         showUnjudged();
         showUntearable();
@@ -195,6 +199,22 @@ void LoadPanel::showUntearable()
         tr("Never tears: %1. %2")
             .arg(namesOf(holding), QStringLiteral("<a href=\"#\">%1</a>")
                                        .arg(tr("Let it tear by its strength").toHtmlEscaped())));
+}
+
+// A kite that is let go at rest in full wind is jerked by a multiple of what a gust does later, and
+// who looks for gusts would make it stronger for nothing.
+void LoadPanel::showLaunch(const Frame& frame, const WorstPlaces& ofRun)
+{
+    constexpr double launch = 1.0; // s
+    const auto& worst = ofRun.all();
+    const bool isLaunch = !worst.empty() && worst.front().time < launch && frame.time > 2.0 * launch
+                          && !frame.worstNow.all().empty()
+                          && frame.worstNow.all().front().margin() < 0.5 * worst.front().margin();
+    m_launch->setVisible(isLaunch);
+    if (isLaunch)
+        m_launch->setText(tr("The worst of the run is the launch, %1 after the start: what is let "
+                             "go at rest is jerked.")
+                              .arg(spokenText(worst.front().time, "s")));
 }
 
 void LoadPanel::letTear()

@@ -54,6 +54,7 @@ private:
     void showUnjudged();
     void selectUnjudged();
     void showUntearable();
+    void showLaunch(const Frame& frame, const WorstPlaces& ofRun);
     void letTear();
     QString namesOf(const std::vector<Id>& materials) const;
 
@@ -68,6 +69,7 @@ private:
     LoadList* m_ofRun;
     QLabel* m_unjudged;     // materials without a strength, below the lists
     QLabel* m_untearable;   // materials that hold beyond theirs, likewise
+    QLabel* m_launch;       // that the worst of the run was the launch
     bool m_isEdited = true; // since those were found
 };
 
