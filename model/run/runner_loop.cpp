@@ -54,8 +54,8 @@ void RunnerLoop::takeUpdates()
     const Design design = updates.back().design;
     if (!m_simulation)
         m_simulation.emplace(updates.front().system, Simulation::mostThreads());
-    m_simulation->load(
-        std::move(updates)); // however fast a slider is pulled, it is one edit a step
+    // however fast a slider is pulled, it is one edit between two steps
+    m_simulation->load(std::move(updates));
     m_recorder.loaded(*m_simulation, design);
     if (m_settler && m_settler->run() != m_simulation->system().run)
         m_settler.emplace(m_settler->goal(), *m_simulation);

@@ -94,8 +94,8 @@ std::optional<std::pair<std::string, FlightResult>> rowOf(const Json& json)
 
 std::string thisProgram() { return "Ripstop " + programVersion(); }
 
-//   program  that wrote the lines so far; a heading says whose come after it
-void takeLine(std::string_view line, LedgerContent& content, std::string& program)
+//   other  the program of another build that writes, or empty; a heading says whose lines come
+void takeLine(std::string_view line, LedgerContent& content, std::string& other)
 {
     if (line.empty())
         return;
@@ -104,9 +104,11 @@ void takeLine(std::string_view line, LedgerContent& content, std::string& progra
         const auto design = json.find("design");
         if (design != json.end() && design->is_string())
             content.designs.push_back(design->get<std::string>());
-        program = json.contains("program") && json["program"].is_string()
-                      ? json["program"].get<std::string>()
-                      : "";
+        other = json.contains("program") && json["program"].is_string()
+                    ? json["program"].get<std::string>()
+                    : "";
+        if (other == thisProgram())
+            other.clear();
         return;
     }
     auto row = json.is_object() ? rowOf(json) : std::nullopt;
@@ -114,8 +116,8 @@ void takeLine(std::string_view line, LedgerContent& content, std::string& progra
         ++content.torn;
         return;
     }
-    if (!program.empty() && program != thisProgram())
-        content.other = {content.other.rows + 1, program};
+    if (!other.empty())
+        content.other = {content.other.rows + 1, other};
     const std::string hash = row->second.hash;
     const auto [place, isNew] = content.rows.insert(std::move(*row));
     content.differing += !isNew && place->second.hash != hash;
@@ -204,11 +206,11 @@ Result<LedgerContent> readLedgers(const fs::path& folder)
         const auto text = wholeContent(file);
         if (!text)
             return text.failure();
-        std::string program;
+        std::string other;
         std::string_view rest = *text;
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
-            takeLine(rest.substr(0, end), content, program);
+            takeLine(rest.substr(0, end), content, other);
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
     }
