@@ -6,6 +6,7 @@
 #include "views/run_with_widgets.h"
 
 #include "builders/builder.h"
+#include "layers/printed_cloth.h"
 #include "look/bands.h"
 #include "look/color_map.h"
 #include "look/scene_frame.h"
@@ -162,6 +163,21 @@ private slots:
         QVERIFY(isMostly(other.at(Vec3(0.5, 0.0, 0.0)), Qt::green));
         QVERIFY(isMostly(other.at(Vec3(0.0, -0.5, 0.0)), Qt::blue));
         QVERIFY(isMostly(other.at(Vec3(-1.0 + 0.1, 0.0, 0.0)), Qt::red)); // again after 1 m
+    }
+
+    // VTK complains with each frame that draws nothing, once in a hundred times that it gets there.
+    void aPictureOnNothingIsNotDrawn()
+    {
+        vtkNew<vtkPolyData> vertices;
+        vtkNew<vtkPoints> points;
+        points->SetNumberOfPoints(3);
+        vertices->SetPoints(points);
+        PrintedCloth print(*vertices);
+        const std::vector corners{Corners{0, 1, 2}};
+        for (const std::size_t count : {1, 0, 1}) {
+            print.rebuild({}, {}, std::span(corners).first(count));
+            QCOMPARE(print.actor().GetVisibility() != 0, count == 1);
+        }
     }
 
     // Streaks of wind are seen through what they are made of: what shines through is the picture,

@@ -52,6 +52,7 @@ void PrintedCloth::rebuild(const Look::Print& print, const ClothVertices& vertic
                            std::span<const Corners> corners)
 {
     m_mesh->SetPolys(cellsOf<3>(corners));
+    m_actor->SetVisibility(!corners.empty()); // the stage leaves out what is empty, but no parts
     if (corners.empty())
         return;
     load(print);
