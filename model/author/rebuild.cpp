@@ -453,8 +453,8 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
         return after.failure();
     Counterparts counterparts = counterpartsOf(scene, id, *before);
     weighAsTuned(scene, counterparts, *before, *after);
-    weighAsTuned(scene, counterparts, *before,
-                 *before); // last, as the other one needs it as it was
+    // last, as the other one needs it as it was
+    weighAsTuned(scene, counterparts, *before, *before);
     Rebuilt outcome = Rebuilding(scene, id, *before, *after, std::move(counterparts),
                                  nextId.value_or(scene.nextId))
                           .run();

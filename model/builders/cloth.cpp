@@ -320,7 +320,7 @@ Result<Scene> buildCloth(const Parameters& p)
     const Sheet sheet(network, p);
     sheet.weave(network, materials);
     const bool isOfSprings = isIdeal(p, "cloth");
-    network.addFabricMass(isOfSprings ? p.at("density") : clothDensity(p, sheetChoices));
+    network.addFabricMass(clothDensity(p, sheetChoices, "density"));
     if (p.at("panels") > 0.0)
         network.carryByPanels();
     CraftMaterials made;

@@ -156,16 +156,16 @@ bool isIdeal(const Parameters& p, std::string_view parameter)
     return p.at(std::string(parameter)) == 0.0;
 }
 
-double clothDensity(const Parameters& p, const CraftChoices& choices)
+double clothDensity(const Parameters& p, const CraftChoices& choices, std::string_view ofIdeal)
 {
     const Preset* cloth = clothOf(p, choices);
-    return cloth ? *numbersOf(*cloth).arealDensity : p.at("fabric");
+    return cloth ? *numbersOf(*cloth).arealDensity : p.at(std::string(ofIdeal));
 }
 
-double cordDensity(const Parameters& p, const CraftChoices& choices)
+double cordDensity(const Parameters& p, const CraftChoices& choices, std::string_view ofIdeal)
 {
     const Preset* cord = cordOf(p, choices);
-    return cord ? *numbersOf(*cord).linearDensity : p.at("line_density");
+    return cord ? *numbersOf(*cord).linearDensity : p.at(std::string(ofIdeal));
 }
 
 double hemDensity(const Parameters& p, const CraftChoices& choices)

@@ -76,11 +76,13 @@ const Preset* patchOf(const Parameters& p, const CraftChoices& choices);
 
 bool isIdeal(const Parameters& p, std::string_view parameter);
 
-// kg/m^2, of the cloth that is chosen, or what the parameter "fabric" says of an ideal one.
-double clothDensity(const Parameters& p, const CraftChoices& choices = kiteChoices);
+// kg/m^2, of the cloth that is chosen, or what this parameter says of an ideal one.
+double clothDensity(const Parameters& p, const CraftChoices& choices = kiteChoices,
+                    std::string_view ofIdeal = "fabric");
 
-// kg/m, of the line that is chosen, or what the parameter "line_density" says.
-double cordDensity(const Parameters& p, const CraftChoices& choices = kiteChoices);
+// kg/m, of the line that is chosen, or what this parameter says of an ideal one.
+double cordDensity(const Parameters& p, const CraftChoices& choices = kiteChoices,
+                   std::string_view ofIdeal = "line_density");
 
 // kg/m, of the tape that hems and seams are made with, or of the cloth that is turned in.
 double hemDensity(const Parameters& p, const CraftChoices& choices);

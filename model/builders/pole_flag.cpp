@@ -169,7 +169,7 @@ Result<Scene> buildPoleFlag(const Parameters& p)
     const double lower = std::max(p.at("pole") - p.at("height"), 0.1 * p.at("height"));
     const auto flag = addFlag(network, p, materials, lower);
     const bool isOfSprings = isIdeal(p, "cloth");
-    network.addFabricMass(isOfSprings ? p.at("density") : clothDensity(p, flagChoices));
+    network.addFabricMass(clothDensity(p, flagChoices, "density"));
     const std::vector<Id> pole = addPole(network, p, materials.pole);
     for (int row = 0; row <= rows; ++row)
         if (p.at("tied") > 0.0 || row == 0 || row == rows)

@@ -40,7 +40,7 @@ Result<Scene> buildRope(const Parameters& p)
     scene.settings.title = "Rope";
     addGround(scene);
     const bool isOfNumbers = isIdeal(p, "cord");
-    const double density = isOfNumbers ? p.at("density") : cordDensity(p, ropeChoices);
+    const double density = cordDensity(p, ropeChoices, "density"); // kg/m
     Material material;
     material.name = "cord";
     material.color = "#b08968";

@@ -116,8 +116,10 @@ void takeLine(std::string_view line, LedgerContent& content, std::string& other)
         ++content.torn;
         return;
     }
-    if (!other.empty())
-        content.other = {content.other.rows + 1, other};
+    if (!other.empty()) {
+        ++content.other.rows;
+        content.other.program = other;
+    }
     const std::string hash = row->second.hash;
     const auto [place, isNew] = content.rows.insert(std::move(*row));
     content.differing += !isNew && place->second.hash != hash;
