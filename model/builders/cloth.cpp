@@ -378,8 +378,7 @@ Result<Scene> buildCloth(const Parameters& p)
 
 } // namespace
 
-const Builder clothBuilder{
-    "cloth",    "Cloth",    "A sheet of masses and springs, hung by corners or an edge.",
-    parameters, buildCloth, Family::Cloth};
+const Builder clothBuilder{"cloth",    "Cloth",    "A sheet of cloth, hung by corners or an edge.",
+                           parameters, buildCloth, Family::Cloth};
 
 } // namespace ripstop

@@ -10176,8 +10176,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>A sheet of masses and springs, hung by corners or an edge.</source>
-        <translation>Une toile de masses et de ressorts, suspendue par des coins ou un bord.</translation>
+        <source>A sheet of cloth, hung by corners or an edge.</source>
+        <translation>Une toile, suspendue par des coins ou un bord.</translation>
     </message>
     <message>
         <location filename="tables"/>
