@@ -3,10 +3,13 @@
 // prepare() numbers the particles (those that move first, then pins), chooses whether the matrix is
 // factorised, iterated, or either, analyses its pattern and finds islands that nothing holds.
 // refresh() reads changed numbers and prepares anew only where more than numbers has changed.
+// soften() follows the substep.
 #include "constraints/direct_solver.h"
 #include "constraints/guides.h"
+#include "constraints/rod_damping.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace ripstop {
@@ -22,6 +25,12 @@ constexpr double productsOfIteration = 17.0;
 constexpr double manyProducts = 100.0;
 constexpr double tooManyProducts = 700.0;
 constexpr std::size_t fewNodes = 300;
+
+constexpr double strainOfRigid = 1e-4; // under `greatLoad`
+constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
+constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
+constexpr double greatestSoftness = 1e-4;
+constexpr double shareOfWeight = 0.1; // that pulls are compared with where they are less
 
 } // namespace
 
@@ -283,6 +292,39 @@ void DirectSolver::takeValues(const System& system)
         bar.weight =
             system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
     }
+}
+
+void DirectSolver::soften(const System& system, double h)
+{
+    m_h = h;
+    const double load = greatLoad * std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
+    for (Bar& bar : m_bars) {
+        const Rod& rod = system.rods[std::size_t(bar.rod)];
+        const double unseen = strainOfRigid * rod.restLength / load;
+        bar.softness = bar.isElastic
+                           ? std::max(complianceOver(rod, h) / (h * h), leastSoftness * bar.weight)
+                           : std::clamp(unseen / (h * h), leastSoftness * bar.weight,
+                                        greatestSoftness * bar.weight);
+    }
+    m_leastPulls = pullsThatMatter(system);
+}
+
+// The stiffest element under a tenth of all weight. What hangs, or is held by the air, pulls more
+// than that in each of its rows. What falls freely has next to no pulls, of which no error would
+// ever be a small enough share; and light scraps that fold as they fall would take all of the time.
+double DirectSolver::pullsThatMatter(const System& system) const
+{
+    double softness = std::numeric_limits<double>::max();
+    for (const Bar& bar : m_bars)
+        if (bar.isElastic)
+            softness = std::min(softness, bar.softness);
+    for (const ElasticPanel& panel : m_panels.panels())
+        softness = std::min(softness, m_panels.softness(system, panel, m_h));
+    if (softness == std::numeric_limits<double>::max())
+        return 0.0;
+    const double mass = std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
+    const double pull = shareOfWeight * mass * system.gravity.norm() * m_h * m_h; // kg m
+    return softness * pull * pull;
 }
 
 } // namespace ripstop

@@ -18,11 +18,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double strainOfRigid = 1e-4; // under `greatLoad`
-constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
-constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
-constexpr double greatestSoftness = 1e-4;
-constexpr int halvings = 6;
+constexpr double leastShareOfMove = 1.0 / 64.0;
 
 constexpr int mostIterations = 200;
 constexpr double leftByIterations =
@@ -30,7 +26,6 @@ constexpr double leftByIterations =
 constexpr double longSwing = 2.0;     // steps within a radian of it, squared
 constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
-constexpr double shareOfWeight = 0.1; // that pulls are compared with where they are less
 
 } // namespace
 
@@ -92,39 +87,6 @@ void DirectSolver::takeDamping(const RodTask& task)
     m_drag.resize(task.damping.empty() ? 0 : nodes());
     for (std::size_t i = 0; i < m_drag.size(); ++i)
         m_drag[i] = task.h * task.damping[std::size_t(m_particle[i])];
-}
-
-void DirectSolver::soften(const System& system, double h)
-{
-    m_h = h;
-    const double load = greatLoad * std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
-    for (Bar& bar : m_bars) {
-        const Rod& rod = system.rods[std::size_t(bar.rod)];
-        const double unseen = strainOfRigid * rod.restLength / load;
-        bar.softness = bar.isElastic
-                           ? std::max(complianceOver(rod, h) / (h * h), leastSoftness * bar.weight)
-                           : std::clamp(unseen / (h * h), leastSoftness * bar.weight,
-                                        greatestSoftness * bar.weight);
-    }
-    m_leastPulls = pullsThatMatter(system);
-}
-
-// The stiffest element under a tenth of all weight. What hangs, or is held by the air, pulls more
-// than that in each of its rows. What falls freely has next to no pulls, of which no error would
-// ever be a small enough share; and light scraps that fold as they fall would take all of the time.
-double DirectSolver::pullsThatMatter(const System& system) const
-{
-    double softness = std::numeric_limits<double>::max();
-    for (const Bar& bar : m_bars)
-        if (bar.isElastic)
-            softness = std::min(softness, bar.softness);
-    for (const ElasticPanel& panel : m_panels.panels())
-        softness = std::min(softness, m_panels.softness(system, panel, m_h));
-    if (softness == std::numeric_limits<double>::max())
-        return 0.0;
-    const double mass = std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
-    const double pull = shareOfWeight * mass * system.gravity.norm() * m_h * m_h; // kg m
-    return softness * pull * pull;
 }
 
 void DirectSolver::start(const RodTask& task, std::span<const double> multiplier, ThreadPool& pool)
@@ -190,11 +152,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         near = arrival.worst < tolerance
                && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(pulls())
                && m_contacts.isSettled(leftByNewton * m_accuracy, taken);
-        share = 1.0;
-        for (int i = 0; i < halvings && !near && merit() > before; ++i)
-            go(share *= 0.5, pool);
-        if (share < 1.0)
-            takeShare(share);
+        share = near ? 1.0 : goDown(before, pool);
         near &= m_contacts.follow(rowsThatMove(), m_mass, m_position);
     }
 
@@ -217,6 +175,25 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
             multiplier[std::size_t(bar.rod)] = pullOf(bar);
     });
     return taken;
+}
+
+// Takes as much of the move as brings the sum down, and returns how much of it that is. Where the
+// whole of it takes a few particles into surfaces that did not act, those are put onto them and the
+// others go all the way: of each step towards them, one surface after the other would stop all.
+double DirectSolver::goDown(double before, ThreadPool& pool)
+{
+    if (merit() <= before)
+        return 1.0;
+    double share = 1.0;
+    const bool lifts = m_guides.empty() && m_contacts.lift(m_position);
+    if (lifts)
+        measure(pool);
+    if (!lifts || merit() > before)
+        do
+            go(share *= 0.5, pool);
+        while (share > leastShareOfMove && merit() > before);
+    takeShare(share);
+    return share;
 }
 
 // Where particles would be in m_from, for the first look at obstacles: pulls of rods are taken as

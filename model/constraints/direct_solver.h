@@ -165,6 +165,7 @@ private:
         return m_iterates ? m_grid.pair(index) : m_factor.pair(index);
     }
     void go(double share, ThreadPool& pool);
+    double goDown(double before, ThreadPool& pool);
     double merit() const;
     void findIslands();
     void keepCenters();

@@ -105,8 +105,9 @@ bool HeldContacts::follow(std::span<const int> particle, std::span<const double>
 void HeldContacts::decide(HeldContact& contact)
 {
     const bool acted = contact.acts || contact.isFirst;
+    const double reach = acted ? contact.multiplier * contact.inverseMass : 0.0; // m, of its push
     contact.acts =
-        contact.isNear && (contact.isFirst ? contact.multiplier > 0.0 : contact.depth > 0.0);
+        contact.isNear && (contact.isFirst ? contact.multiplier : contact.depth + reach) > 0.0;
     contact.isFirst = false;
     if (!contact.acts) {
         contact.multiplier = 0.0;
@@ -178,6 +179,19 @@ void HeldContacts::foresee(std::span<const Row> move)
     }
 }
 
+bool HeldContacts::lift(std::span<Row> position) const
+{
+    bool lifts = false;
+    for (const HeldContact& contact : m_contacts) {
+        if (!contact.isNear || contact.acts || contact.depth <= 0.0)
+            continue;
+        lifts = true;
+        for (int c = 0; c < 3; ++c)
+            position[contact.row].v[c] += (1.0 - unseen) * contact.depth * contact.normal[c];
+    }
+    return lifts;
+}
+
 void HeldContacts::settle(double share)
 {
     for (HeldContact& contact : m_contacts)
@@ -194,7 +208,7 @@ double HeldContacts::energy() const
 {
     double twice = 0.0;
     for (const HeldContact& contact : m_contacts) {
-        if (!contact.isNear || contact.depth <= 0.0)
+        if (!contact.isNear || (!contact.acts && contact.depth <= 0.0))
             continue;
         twice += contact.depth * contact.depth / contact.softness;
         if (!contact.acts || contact.friction == 0.0)

@@ -7,9 +7,11 @@
 //
 // to the sum that is minimised, s being so little that no eye sees d: a particle at rest sinks by a
 // ten-thousandth of what it would fall in the substep. Which contacts act is decided anew in each
-// iteration: at first by what would press the particle on without rods, then by its depth, so that
-// none ever pulls;
-// the multiplier over the square of the substep is the normal force.
+// iteration: at first by what would press the particle on without rods. One that acts goes on as
+// long as its push would bring the particle to the plane; the others begin below it (primal-dual
+// active sets: Hintermueller, Ito and Kunisch 2002). By the depth alone, all of a round surface
+// would let go whenever what lies on it shifts a little along it. In the end none pulls; the
+// multiplier over the square of the substep is the normal force.
 //
 // Friction is Coulomb's, with the way u along the surface in this substep: a particle sticks, as if
 // u were held by the same s, until that takes more than friction times the normal force; then it
@@ -114,8 +116,11 @@ public:
     void foresee(std::span<const Row> move);
     void settle(double share); // what of the move was foreseen
 
+    // After measure(): puts particles below surfaces that do not act onto them. Whether any were.
+    bool lift(std::span<Row> position) const;
+
     void measure(std::span<const Row> position);
-    double energy() const;                                // twice, kg m^2, of those that act
+    double energy() const;                                // twice, kg m^2
     double energyAt(std::span<const Row> position) const; // that, of normal pushes alone
 
     // After measure(): whether all contacts are where the linear system put them, and friction is
