@@ -99,6 +99,25 @@ private slots:
         QCOMPARE(map.darkAt(0.0, 0.0), 0.0);
     }
 
+    // The light that comes through both is that of the darker one.
+    void twoShadowsAreNoDarkerThanOne()
+    {
+        const ShadowMap high = shadowOfSquare(1.0, 5.0), low = shadowOfSquare(0.4, 5.0);
+        const std::vector<std::uint8_t> more = low.darkBeside(high), less = high.darkBeside(low);
+        QCOMPARE(*std::ranges::max_element(more), std::uint8_t(0)); // it lies within the other
+        const double pixel = high.size() / ShadowMap::side;
+        for (int row = 0; row < ShadowMap::side; ++row)
+            for (int column = 0; column < ShadowMap::side; ++column) {
+                const auto i = std::size_t(row * ShadowMap::side + column);
+                const double beside =
+                    low.darkAt(high.x() + pixel * (column + 0.5), high.z() + pixel * (row + 0.5));
+                const double light = (1.0 - less[i] / 255.0) * (1.0 - beside);
+                const double darker = std::max(high.dark()[i] / 255.0, beside);
+                QVERIFY(std::abs(light - (1.0 - darker)) < 0.01);
+            }
+        QCOMPARE(high.darkBeside(ShadowMap()), high.dark());
+    }
+
     void whatIsNotAPlaceIsLeftOut()
     {
         const std::array places{Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(0, 1, 1),

@@ -75,7 +75,7 @@ GroundStep groundStep(double height)
     return {std::pow(10.0, std::floor(power)), power - std::floor(power)};
 }
 
-BackdropLayer::Shadow::Shadow()
+BackdropLayer::Shadow::Shadow(double depth)
 {
     image->SetDimensions(ShadowMap::side, ShadowMap::side, 1);
     constexpr int lightAndOpacity = 2;
@@ -99,7 +99,7 @@ BackdropLayer::Shadow::Shadow()
     mapper->SetInputData(square);
     mapper->ScalarVisibilityOff();
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, 6.0); // below cloth
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, depth);
     actor->SetMapper(mapper);
     actor->SetTexture(texture);
     actor->ForceOpaqueOn(); // blended as it comes: VTK's pass for what is translucent costs a lot
@@ -129,22 +129,28 @@ void BackdropLayer::Shadow::add(const Limb& limb)
 }
 
 // Most of what stands on the ground does not move, and nothing does in a run that is paused.
-void BackdropLayer::Shadow::cast(double ground)
+bool BackdropLayer::Shadow::cast(double ground)
 {
     if (ground == shownGround && places == shownPlaces && triangles == shownTriangles)
-        return;
+        return false;
     shownGround = ground;
     shownPlaces = places;
     shownTriangles = triangles;
     map.cast(places, triangles, ground);
+    return true;
+}
+
+void BackdropLayer::Shadow::draw(const std::vector<std::uint8_t>& dark)
+{
     if (map.isEmpty())
         return;
     auto* pixels = static_cast<std::uint8_t*>(image->GetScalarPointer());
-    for (const std::uint8_t dark : map.dark()) {
+    for (const std::uint8_t pixel : dark) {
         *pixels++ = 255;
-        *pixels++ = dark;
+        *pixels++ = pixel;
     }
     image->Modified();
+    const double ground = shownGround;
     const double x = map.x(), z = map.z(), size = map.size();
     corners->SetPoint(0, x, ground, z);
     corners->SetPoint(1, x + size, ground, z);
@@ -248,11 +254,14 @@ void BackdropLayer::update(const Picture& picture)
         m_height = -1e6; // an eye between hills has the horizon before it, too
     if (m_kind != Kind::Ground)
         return;
-    castFlying(picture);
-    castStanding(picture);
+    const bool isOther = castStanding(picture);
+    if (isOther)
+        m_standing.draw(m_standing.map.dark());
+    if (castFlying(picture) || isOther)
+        m_flying.draw(m_flying.map.darkBeside(m_standing.map));
 }
 
-void BackdropLayer::castFlying(const Picture& picture)
+bool BackdropLayer::castFlying(const Picture& picture)
 {
     m_flying.places.assign(picture.frame.position.begin(), picture.frame.position.end());
     m_flying.triangles = m_fabric;
@@ -260,10 +269,10 @@ void BackdropLayer::castFlying(const Picture& picture)
         if (picture.people[i].pose != Pose::Standing)
             for (const Limb& limb : picture.limbs[i])
                 m_flying.add(limb);
-    m_flying.cast(m_height);
+    return m_flying.cast(m_height);
 }
 
-void BackdropLayer::castStanding(const Picture& picture)
+bool BackdropLayer::castStanding(const Picture& picture)
 {
     m_standing.places.clear();
     m_standing.triangles.clear();
@@ -289,7 +298,7 @@ void BackdropLayer::castStanding(const Picture& picture)
                                                 first + int(face->GetId(k))});
         }
     }
-    m_standing.cast(m_height);
+    return m_standing.cast(m_height);
 }
 
 double BackdropLayer::squares() const

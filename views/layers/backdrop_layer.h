@@ -77,15 +77,16 @@ private:
         vtkNew<vtkPolyDataMapper> mapper;
         vtkNew<vtkActor> actor;
 
-        Shadow();
+        explicit Shadow(double depth); // behind cloth on the ground, and behind other shadows
         void add(const Limb& limb);
-        void cast(double ground);
+        bool cast(double ground); // whether it is another one now
+        void draw(const std::vector<std::uint8_t>& dark);
     };
 
     vtkUniforms& uniforms();
     void paint(const Theme& theme);
-    void castFlying(const Picture& picture);
-    void castStanding(const Picture& picture);
+    bool castFlying(const Picture& picture);
+    bool castStanding(const Picture& picture);
     void showShadows();
 
     Kind m_kind = Kind::Plain;
@@ -98,7 +99,7 @@ private:
     bool m_isAbove = true; // the eye, of the ground
     QColor m_shadowColor;
     std::vector<std::array<int, 3>> m_fabric; // panels that are drawn
-    Shadow m_flying, m_standing;
+    Shadow m_flying{8.0}, m_standing{5.0};    // in the order that they are drawn in
     vtkNew<vtkPolyData> m_data;
     vtkNew<vtkPolyDataMapper> m_mapper;
     vtkNew<vtkActor> m_actor;

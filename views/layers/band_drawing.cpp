@@ -33,7 +33,7 @@ std::array<float, Size>* rowsOf(vtkFloatArray& array, std::size_t count)
 BandDrawing::BandDrawing(BandKind kind)
     : m_kind(kind)
 {
-    joinCloth(*m_mesh, *m_points, *m_normals, *m_onCloth);
+    joinCloth(*m_mesh, *m_points, *m_normals, *m_onCloth, *m_shade);
     m_mapper->SetInputData(m_mesh);
     // before the panels that they lie on, seams before borders, both behind the links
     const double depth = kind == BandKind::Sewn ? 0.0 : 0.5;
@@ -75,13 +75,21 @@ void BandDrawing::rebuild(const std::vector<BandPiece>& pieces, const ClothVerti
 }
 
 void BandDrawing::update(std::span<const std::array<float, 3>> points,
-                         std::span<const std::array<float, 3>> normals)
+                         std::span<const std::array<float, 3>> normals,
+                         std::span<const float> shade)
 {
     auto* point = reinterpret_cast<std::array<float, 3>*>(m_points->GetVoidPointer(0));
     auto* normal = rowsOf<3>(*m_normals, m_mixtures.size());
+    m_shade->SetNumberOfTuples(vtkIdType(m_mixtures.size()));
+    m_shade->Modified();
+    float* shadeHere = m_shade->GetPointer(0);
     for (const auto& [vertices, shares] : m_mixtures) {
         *point++ = mixed<3>(points, vertices, shares);
         *normal++ = mixed<3>(normals, vertices, shares);
+        *shadeHere = 0.0F;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            *shadeHere += shares[corner] * shade[vertices[corner]];
+        ++shadeHere;
     }
     m_points->Modified();
     m_mesh->Modified();

@@ -29,9 +29,9 @@ public:
     void rebuild(const std::vector<BandPiece>& pieces, const ClothVertices& vertices,
                  std::span<const std::uint8_t> present);
 
-    // Points and normals of the panels' vertices, as they are now.
+    // Points, normals and shade of the panels' vertices, as they are now.
     void update(std::span<const std::array<float, 3>> points,
-                std::span<const std::array<float, 3>> normals);
+                std::span<const std::array<float, 3>> normals, std::span<const float> shade);
 
 private:
     struct Mixture
@@ -46,6 +46,7 @@ private:
     vtkNew<vtkPoints> m_points;
     vtkNew<vtkFloatArray> m_normals;
     vtkNew<vtkFloatArray> m_onCloth;
+    vtkNew<vtkFloatArray> m_shade;
     vtkNew<vtkPolyData> m_mesh;
     vtkNew<vtkPolyDataMapper> m_mapper;
     vtkNew<vtkActor> m_actor;

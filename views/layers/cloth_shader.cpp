@@ -14,15 +14,19 @@ namespace {
 
 constexpr const char* vertexDeclaration = R"(//VTK::TCoord::Dec
 in vec4 clothPoint;
+in float sunShade;
 out vec4 clothPointVS;
+out float sunShadeVS;
 )";
 
 constexpr const char* vertexPass = R"(//VTK::TCoord::Impl
 clothPointVS = clothPoint;
+sunShadeVS = sunShade;
 )";
 
 constexpr const char* fragmentDeclaration = R"(//VTK::TCoord::Dec
 in vec4 clothPointVS;
+in float sunShadeVS;
 
 // How much darker the weave is here, 0 to 1, at so many metres a pixel.
 float weave(vec2 place, float grid, float pixel)
@@ -58,12 +62,14 @@ constexpr const char* fragmentLight = R"(//VTK::Light::Impl
     vec3 up = normalMatrix * vec3(0.0, 1.0, 0.0);
     vec3 around = mix(vec3(0.30, 0.29, 0.27), vec3(0.46, 0.49, 0.54),
                       0.5 + 0.5 * dot(normalVCVSOutput, up));
-    float behind = max(0.0, dot(normalVCVSOutput, lightDirectionVC0));
-    vec3 through = 1.3 * clothPointVS.z * behind * lightColor0 * (0.6 + 0.4 * diffuseColor);
+    float away = dot(normalVCVSOutput, lightDirectionVC0); // of the side that is seen, from the sun
+    vec3 sun = (1.0 - 0.8 * sunShadeVS) * lightColor0;     // cloth that is in the way lets some through
+    vec3 through = 1.3 * clothPointVS.z * max(0.0, away) * sun * (0.6 + 0.4 * diffuseColor);
+    vec3 shaded = max(0.0, -away) * diffuseColor * (lightColor0 - sun);
     float slant = 1.0 - facing;
     float sheen = 0.15 * slant * slant * slant * slant;
     float pixel = max(length(dFdx(clothPointVS.xy)), length(dFdy(clothPointVS.xy)));
-    vec3 lit = gl_FragData[0].rgb + diffuseColor * (around + through);
+    vec3 lit = gl_FragData[0].rgb - shaded + diffuseColor * (around + through);
     gl_FragData[0].rgb = lit * (1.0 - weave(clothPointVS.xy, clothPointVS.w, pixel))
                          + sheen * (0.5 + 0.5 * diffuseColor);
     }
@@ -72,21 +78,25 @@ constexpr const char* fragmentLight = R"(//VTK::Light::Impl
 
 } // namespace
 
-void joinCloth(vtkPolyData& mesh, vtkPoints& points, vtkFloatArray& normals, vtkFloatArray& onCloth)
+void joinCloth(vtkPolyData& mesh, vtkPoints& points, vtkFloatArray& normals, vtkFloatArray& onCloth,
+               vtkFloatArray& shade)
 {
     points.SetDataTypeToFloat();
     normals.SetNumberOfComponents(3);
     onCloth.SetNumberOfComponents(4);
     onCloth.SetName(clothPointArray);
+    shade.SetName(sunShadeArray);
     mesh.SetPoints(&points);
     mesh.GetPointData()->SetNormals(&normals);
     mesh.GetPointData()->AddArray(&onCloth);
+    mesh.GetPointData()->AddArray(&shade);
 }
 
 void addClothShader(vtkActor& actor, vtkPolyDataMapper& mapper)
 {
-    mapper.MapDataArrayToVertexAttribute("clothPoint", clothPointArray,
-                                         vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    constexpr int ofPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    mapper.MapDataArrayToVertexAttribute("clothPoint", clothPointArray, ofPoints, -1);
+    mapper.MapDataArrayToVertexAttribute("sunShade", sunShadeArray, ofPoints, -1);
     constexpr bool beforeVtk = true, once = false;
     vtkShaderProperty& shader = *actor.GetShaderProperty();
     shader.AddVertexShaderReplacement("//VTK::TCoord::Dec", beforeVtk, vertexDeclaration, once);

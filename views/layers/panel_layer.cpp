@@ -18,7 +18,7 @@ PanelLayer::PanelLayer()
     m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 2.0);
     m_actor->SetMapper(m_mapper);
 
-    joinCloth(*m_mesh, *m_points, *m_normals, *m_onCloth);
+    joinCloth(*m_mesh, *m_points, *m_normals, *m_onCloth, *m_shadeOfVertices);
     addClothShader(*m_actor, *m_mapper);
 }
 
@@ -125,7 +125,9 @@ void PanelLayer::layCloth(const Picture& picture)
     m_onCloth->Modified();
     m_points->SetNumberOfPoints(count);
     m_normals->SetNumberOfTuples(count);
+    m_shadeOfVertices->SetNumberOfTuples(count);
     m_normal.resize(m_layout->particleId.size());
+    m_shade.resize(m_layout->particleId.size());
 }
 
 void PanelLayer::selectPanels(const Picture& picture)
@@ -158,18 +160,22 @@ void PanelLayer::takePoints(const Picture& picture)
 {
     const auto& position = picture.frame.position;
     smoothNormals(m_panels, m_present, position, m_normal);
+    m_sunShade.cast(position, m_normal, m_panels, m_present, m_shade);
     auto* point = reinterpret_cast<std::array<float, 3>*>(m_points->GetVoidPointer(0));
     auto* normal = reinterpret_cast<std::array<float, 3>*>(m_normals->GetPointer(0));
+    float* shade = m_shadeOfVertices->GetPointer(0);
     for (const int particle : m_vertices.particle) {
         const Vec3& at = position[particle];
         *point++ = {float(at.x()), float(at.y()), float(at.z())};
         *normal++ = m_normal[particle];
+        *shade++ = m_shade[particle];
     }
     m_points->Modified();
     m_normals->Modified();
+    m_shadeOfVertices->Modified();
     const std::size_t count = m_vertices.particle.size();
     for (BandDrawing& bands : m_bandDrawings)
-        bands.update({point - count, count}, {normal - count, count});
+        bands.update({point - count, count}, {normal - count, count}, {shade - count, count});
 }
 
 void PanelLayer::paint(const Picture& picture)

@@ -1,10 +1,10 @@
 // The fabric, shaded as a smooth surface that is lit from both sides.
 //
 // Panels are turned to face alike and laid on one sheet of cloth once per layout; normals are found
-// anew for each frame. Panels have the colour of their material and look like cloth
-// (layers/cloth_shader.h), with pictures and bands on top, or they have the colour of the quantity
-// that the view shows. Vertices are those of the cloth, of which a particle may have several. The
-// shadow layer draws the same mesh.
+// anew for each frame, as is the shade that fabric throws on itself. Panels have the colour of
+// their material and look like cloth (layers/cloth_shader.h), with pictures and bands on top, or
+// they have the colour of the quantity that the view shows. Vertices are those of the cloth, of
+// which a particle may have several. The shadow layer draws the same mesh.
 #pragma once
 
 #include "layers/band_drawing.h"
@@ -12,6 +12,7 @@
 #include "layers/printed_cloth.h"
 #include "layers/vtk_data.h"
 #include "look/fabric.h"
+#include "look/sun_shade.h"
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
@@ -62,10 +63,13 @@ private:
     std::vector<std::array<ClothPoint, 3>> m_onSheet;    // [panels]
     ClothVertices m_vertices;
     std::vector<std::array<float, 3>> m_normal; // [particles]
+    SunShade m_sunShade;
+    std::vector<float> m_shade; // [particles]
     ColorArray m_colors;
     vtkNew<vtkPoints> m_points;      // [vertices]
     vtkNew<vtkFloatArray> m_normals; // [vertices]
     vtkNew<vtkFloatArray> m_onCloth; // [vertices]
+    vtkNew<vtkFloatArray> m_shadeOfVertices;
     vtkNew<vtkPolyData> m_mesh;
     vtkNew<vtkPolyDataMapper> m_mapper;
     vtkNew<vtkActor> m_actor;

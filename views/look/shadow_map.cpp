@@ -203,11 +203,36 @@ void ShadowMap::cast(std::span<const Vec3> places, std::span<const std::array<in
 
 double ShadowMap::darkAt(double x, double z) const
 {
-    const int column = int(std::floor(side * (x - m_x) / m_size));
-    const int row = int(std::floor(side * (z - m_z) / m_size));
-    if (isEmpty() || column < 0 || column >= side || row < 0 || row >= side)
+    if (isEmpty())
         return 0.0;
-    return m_dark[std::size_t(row * side + column)] / 255.0;
+    const double column = side * (x - m_x) / m_size - 0.5;
+    const double row = side * (z - m_z) / m_size - 0.5;
+    if (!(column > -1.0 && column < side && row > -1.0 && row < side))
+        return 0.0;
+    const int left = int(std::floor(column)), above = int(std::floor(row));
+    const auto pixel = [this](int c, int r) {
+        const bool isInside = c >= 0 && c < side && r >= 0 && r < side;
+        return isInside ? m_dark[std::size_t(r * side + c)] / 255.0 : 0.0;
+    };
+    const double right = column - left, below = row - above; // shares
+    return (1.0 - below) * ((1.0 - right) * pixel(left, above) + right * pixel(left + 1, above))
+           + below * ((1.0 - right) * pixel(left, above + 1) + right * pixel(left + 1, above + 1));
+}
+
+std::vector<std::uint8_t> ShadowMap::darkBeside(const ShadowMap& other) const
+{
+    std::vector<std::uint8_t> dark = m_dark;
+    const double pixel = m_size / side;
+    for (std::size_t i = 0; i < dark.size() && !other.isEmpty(); ++i) {
+        if (dark[i] == 0)
+            continue;
+        const double left = 1.0
+                            - other.darkAt(m_x + pixel * (double(i % side) + 0.5),
+                                           m_z + pixel * (double(i / side) + 0.5));
+        const double light = 1.0 - dark[i] / 255.0;
+        dark[i] = light < left ? std::uint8_t(std::lround(255.0 * (1.0 - light / left))) : 0;
+    }
+    return dark;
 }
 
 } // namespace ripstop

@@ -40,7 +40,11 @@ public:
 
     // [side * side] rows along z; 255 is without any light.
     const std::vector<std::uint8_t>& dark() const { return m_dark; }
-    double darkAt(double x, double z) const; // 0 .. 1, of the pixel at that place, m
+    double darkAt(double x, double z) const; // 0 .. 1, between the pixels around that place, m
+
+    // The same where `other` is drawn, too: what that has darkened already is darkened further only
+    // as far as it is lighter there, as what lies in one shadow gets no darker by another.
+    std::vector<std::uint8_t> darkBeside(const ShadowMap& other) const;
 
 private:
     using Sheet = std::vector<float>; // [side * side]

@@ -1,0 +1,121 @@
+// cast() has three parts: frame() fits the picture and finds the plane of the fabric at each
+// corner, draw() fills the picture triangle by triangle, and shadeOf() looks around each place.
+#include "look/sun_shade.h"
+
+#include "look/shadow_map.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+constexpr int reach = 2;             // pixels around a place that are looked at
+constexpr double leastFacing = 0.05; // 1, of a plane that the sun lights at all
+constexpr float sameSurface = 4.0F;  // pixels
+constexpr float leastSize = 1e-3F;   // m
+constexpr float notSeen = std::numeric_limits<float>::lowest(); // of a place or a pixel
+
+} // namespace
+
+bool SunShade::isSeen(const Spot& spot) { return spot.nearness != notSeen; }
+
+// Puts the picture around the corners of panels, and says where each of them is in it. Returns
+// false where there are none.
+bool SunShade::frame(std::span<const Vec3> places, std::span<const std::array<float, 3>> normals,
+                     std::span<const Corners> panels, std::span<const std::uint8_t> present)
+{
+    const Vec3 sun = sunDirection.normalized();
+    const Vec3 across = Vec3::UnitY().cross(sun).normalized();
+    const Vec3 up = sun.cross(across);
+    m_spots.assign(places.size(), {0.0F, 0.0F, notSeen});
+    Eigen::AlignedBox2f box;
+    for (std::size_t i = 0; i < panels.size(); ++i)
+        for (const int corner : panels[i]) {
+            const Vec3& place = places[std::size_t(corner)];
+            Spot& spot = m_spots[std::size_t(corner)];
+            if (!present[i] || isSeen(spot) || !place.allFinite())
+                continue;
+            spot = {float(across.dot(place)), float(up.dot(place)), float(sun.dot(place))}; // m
+            const auto& [x, y, z] = normals[std::size_t(corner)];
+            const Vec3 normal(x, y, z);
+            const double facing = normal.dot(sun);
+            spot.isOnEdge = std::abs(facing) < leastFacing;
+            spot.riseAcross = float(-normal.dot(across) / facing);
+            spot.riseUp = float(-normal.dot(up) / facing);
+            box.extend(Eigen::Vector2f(spot.across, spot.up));
+        }
+    if (box.isEmpty())
+        return false;
+    const float room = reach + 1.0F; // pixels
+    const float perMetre = (side - 2.0F * room) / std::max(box.sizes().maxCoeff(), leastSize);
+    for (Spot& spot : m_spots)
+        if (isSeen(spot)) {
+            spot.across = room + perMetre * (spot.across - box.min().x());
+            spot.up = room + perMetre * (spot.up - box.min().y());
+            spot.nearness *= perMetre;
+        }
+    return true;
+}
+
+// Each pixel whose middle lies in the triangle, seen from either side.
+void SunShade::draw(const Spot& a, const Spot& b, const Spot& c)
+{
+    const float twiceArea =
+        (b.across - a.across) * (c.up - a.up) - (b.up - a.up) * (c.across - a.across);
+    if (twiceArea == 0.0F || !isSeen(a) || !isSeen(b) || !isSeen(c))
+        return;
+    const auto [left, right] = std::minmax({a.across, b.across, c.across});
+    const auto [low, high] = std::minmax({a.up, b.up, c.up});
+    for (int row = int(std::ceil(low - 0.5F)); row <= int(std::floor(high - 0.5F)); ++row)
+        for (int column = int(std::ceil(left - 0.5F)); column <= int(std::floor(right - 0.5F));
+             ++column) {
+            const float x = float(column) + 0.5F - a.across;
+            const float y = float(row) + 0.5F - a.up;
+            const float ofB = (x * (c.up - a.up) - y * (c.across - a.across)) / twiceArea;
+            const float ofC = (y * (b.across - a.across) - x * (b.up - a.up)) / twiceArea;
+            if (ofB < 0.0F || ofC < 0.0F || ofB + ofC > 1.0F)
+                continue;
+            float& pixel = m_nearness[std::size_t(row * side + column)];
+            pixel = std::max(pixel, a.nearness + ofB * (b.nearness - a.nearness)
+                                        + ofC * (c.nearness - a.nearness));
+        }
+}
+
+float SunShade::shadeOf(const Spot& spot) const
+{
+    if (!isSeen(spot) || spot.isOnEdge)
+        return 0.0F;
+    const int column = int(spot.across), row = int(spot.up);
+    int count = 0;
+    for (int y = row - reach; y <= row + reach; ++y)
+        for (int x = column - reach; x <= column + reach; ++x) {
+            const float plane = spot.nearness + spot.riseAcross * (float(x) + 0.5F - spot.across)
+                                + spot.riseUp * (float(y) + 0.5F - spot.up);
+            count += m_nearness[std::size_t(y * side + x)] > plane + sameSurface;
+        }
+    constexpr int all = (2 * reach + 1) * (2 * reach + 1);
+    return float(count) / float(all);
+}
+
+void SunShade::cast(std::span<const Vec3> places, std::span<const std::array<float, 3>> normals,
+                    std::span<const Corners> panels, std::span<const std::uint8_t> present,
+                    std::span<float> shade)
+{
+    std::ranges::fill(shade, 0.0F);
+    if (!frame(places, normals, panels, present))
+        return;
+    m_nearness.assign(std::size_t(side * side), notSeen);
+    for (std::size_t i = 0; i < panels.size(); ++i)
+        if (present[i]) {
+            const auto& [a, b, c] = panels[i];
+            draw(m_spots[std::size_t(a)], m_spots[std::size_t(b)], m_spots[std::size_t(c)]);
+        }
+    std::ranges::transform(m_spots, shade.begin(),
+                           [this](const Spot& spot) { return shadeOf(spot); });
+}
+
+} // namespace ripstop
