@@ -2,6 +2,8 @@
 #include "camera/camera_projection.h"
 #include "layers/backdrop_layer.h"
 #include "layers/ground_layer.h"
+#include "look/collider_geometry.h"
+#include "look/shadow_map.h"
 #include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 
@@ -159,6 +161,47 @@ private slots:
         QVERIFY(difference(seen(0, 0), seen(1, 0)) > 3);
         QVERIFY(difference(seen(0, 0), seen(0, 1)) > 3);
         QVERIFY(difference(seen(0, 0), seen(1, 1)) <= 3);
+    }
+
+    // On slopes and landscapes, where the sun's ray through the middle of the panel ends; beside
+    // it, and where the fabric is not shown, there is none.
+    void groundThatIsNotLevelHasShadows()
+    {
+        Scene slope = panelAbove(true);
+        std::get<Collider>(*findItem(slope, Id{7})).normal = Vec3(0.3, 1.0, 0.0).normalized();
+        Scene landscape = panelAbove(true);
+        auto& hills = std::get<Collider>(*findItem(landscape, Id{7}));
+        hills.shape = ColliderShape::HeightField;
+        hills.size = Vec3(200.0, 4.0, 200.0);
+        hills.hillLength = 100.0;
+        hills.seed = 3;
+        for (const Scene& scene : {slope, landscape}) {
+            View view(scene);
+            QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+            QTRY_VERIFY(view.player.frame());
+            const Vec3 middle(0.0, 50.0 + 1.0 / 3.0, 0.0), ray = -sunDirection.normalized();
+            const auto& ground = std::get<Collider>(*findItem(scene, Id{7}));
+            double way = middle.dot(ground.normal) / -ray.dot(ground.normal); // of the slope
+            if (ground.shape == ColliderShape::HeightField)
+                way = distanceTo(bodiesOf(scene, {}).front(), ground.position, middle, ray);
+            QVERIFY(way > 40.0 && way < 90.0);
+            Camera camera;
+            camera.focus = middle + way * ray;
+            camera.distance = 8.0;
+            camera.azimuth = std::atan2(sunDirection.x(), sunDirection.z()); // as the sun sees it
+            camera.elevation = std::asin(-ray.y());
+            const CameraProjection projection(camera, size.width(), size.height());
+            const auto beside = projection(Vec3(camera.focus + 2.0 * camera.right()));
+            const QImage with = view.seenFrom(camera);
+            view.viewport.setPanelsShown(false);
+            const QImage without = view.seenFrom(camera);
+            const auto lightness = [](const QImage& image, int x, int y) {
+                return image.pixelColor(x, y).lightness();
+            };
+            QVERIFY(lightness(with, 200, 150) < lightness(without, 200, 150) - 20);
+            QCOMPARE(with.pixelColor(int(beside.x), int(beside.y)),
+                     without.pixelColor(int(beside.x), int(beside.y)));
+        }
     }
 
     // Without ground the backdrop is plain: the same wherever one looks.

@@ -1,35 +1,64 @@
+// update() sends a ray of the sun through each corner of the fabric to the ground that it meets
+// first; a triangle has a shadow where all of its rays meet one.
 #include "layers/shadow_layer.h"
 
 #include "layers/backdrop_layer.h"
+#include "look/collider_geometry.h"
+#include "look/shadow_map.h"
 
 #include <vtkRenderer.h>
+
+#include <limits>
 
 namespace ripstop {
 namespace {
 
-// The plane that the sun throws a hard shadow on; none where a level one has a soft one.
-const Collider* slope(const Scene& scene)
+constexpr vtkIdType mostCorners = 20'000; // a larger sheet would cost too much of each picture
+constexpr double missed = std::numeric_limits<double>::infinity(); // m, of what meets no ground
+
+template <typename Visit> // visit(triangle)
+void forEachTriangle(vtkPolyData& mesh, Visit visit)
 {
-    if (levelPlane(scene))
-        return nullptr;
-    for (const Entry& entry : scene.items)
-        if (const Collider* plane = std::get_if<Collider>(&entry.item);
-            plane && plane->shown && plane->shape == ColliderShape::Plane
-            && plane->normal.dot(sunDirection) > 0.0)
-            return plane;
-    return nullptr;
+    vtkNew<vtkIdList> triangle;
+    for (vtkIdType i = 0; i < mesh.GetNumberOfCells(); ++i) {
+        mesh.GetCellPoints(i, triangle);
+        visit(*triangle);
+    }
+}
+
+double meanSide(vtkPolyData& mesh) // m
+{
+    double sum = 0.0;
+    forEachTriangle(mesh, [&](vtkIdList& triangle) {
+        sum += (Vec3(mesh.GetPoint(triangle.GetId(1))) - Vec3(mesh.GetPoint(triangle.GetId(0))))
+                   .norm();
+    });
+    return sum / std::max<double>(1.0, double(mesh.GetNumberOfCells()));
+}
+
+// m along a ray of the sun.
+double wayTo(const ColliderBody& ground, const Frame& frame, const Vec3& corner, const Vec3& ray)
+{
+    const Vec3 place = placeOf(frame, ground.id, ground.collider);
+    if (ground.collider.shape != ColliderShape::Plane)
+        return distanceTo(ground, place, corner, ray);
+    const Vec3& normal = ground.collider.normal;
+    const double way = (place - corner).dot(normal) / ray.dot(normal);
+    return way >= 0.0 ? way : missed;
 }
 
 } // namespace
 
 ShadowLayer::ShadowLayer(vtkPolyData& fabric)
+    : m_fabric(fabric)
 {
-    m_mapper->SetInputData(&fabric);
+    m_points->SetDataTypeToDouble();
+    m_mesh->SetPoints(m_points);
+    m_mapper->SetInputData(m_mesh);
     m_mapper->ScalarVisibilityOff();
     m_mapper->SetResolveCoincidentTopologyToPolygonOffset();
     m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, 6.0);
     m_actor->SetMapper(m_mapper);
-    m_actor->SetUserMatrix(m_projection);
     m_actor->GetProperty()->LightingOff();
 }
 
@@ -38,28 +67,61 @@ void ShadowLayer::addTo(vtkRenderer& renderer) { renderer.AddActor(m_actor); }
 void ShadowLayer::setShown(bool shown)
 {
     m_shown = shown;
-    m_actor->SetVisibility(m_shown && m_hasGround);
+    m_actor->SetVisibility(shown);
 }
 
 void ShadowLayer::rebuild(const Picture& picture)
 {
     setColor(*m_actor->GetProperty(), picture.theme.shadow);
-    const Collider* const plane = slope(picture.scene);
-    m_hasGround = plane != nullptr;
-    if (plane) {
-        // p - s (n . (p - p0)) / (n . s): along the sun's rays s onto the plane
-        const Vec3 weight = plane->normal / plane->normal.dot(sunDirection);
-        const Eigen::Matrix3d linear =
-            Eigen::Matrix3d::Identity() - sunDirection * weight.transpose();
-        const Vec3 shift = sunDirection * weight.dot(plane->position);
-        m_projection->Identity();
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column)
-                m_projection->SetElement(row, column, linear(row, column));
-            m_projection->SetElement(row, 3, shift[row]);
-        }
+    m_hasSlope = !levelPlane(picture.scene);
+}
+
+bool ShadowLayer::isGround(const ColliderBody& body) const
+{
+    const Collider& collider = body.collider;
+    const bool isSlope = m_hasSlope && collider.shape == ColliderShape::Plane
+                         && collider.normal.dot(sunDirection) > 0.0;
+    return collider.shown && (isSlope || ripstop::isGround(body));
+}
+
+void ShadowLayer::update(const Picture& picture)
+{
+    std::vector<const ColliderBody*> grounds;
+    for (const ColliderBody& body : picture.colliders)
+        if (isGround(body))
+            grounds.push_back(&body);
+    vtkPoints* const corners = m_fabric.GetPoints();
+    const bool isDrawn = m_shown && !grounds.empty() && corners->GetNumberOfPoints() <= mostCorners;
+    m_actor->SetVisibility(isDrawn);
+    if (!isDrawn)
+        return;
+
+    // A triangle is flat where a landscape has bumps, which would come through: it lies over them
+    // by half a side, but no more than half way up to the fabric.
+    const Vec3 ray = -sunDirection.normalized();
+    const double lift = 0.5 * meanSide(m_fabric);
+    std::vector<std::uint8_t> meets(std::size_t(corners->GetNumberOfPoints()));
+    m_points->SetNumberOfPoints(corners->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i) {
+        const Vec3 corner(corners->GetPoint(i));
+        double way = missed, over = 0.0;
+        for (const ColliderBody* body : grounds)
+            if (const double own = wayTo(*body, picture.frame, corner, ray); own < way) {
+                way = own;
+                over = body->collider.shape == ColliderShape::Plane ? 0.0 : lift;
+            }
+        meets[std::size_t(i)] = way < missed;
+        const double shown = way < missed ? way - std::min(over, 0.5 * way) : 0.0;
+        m_points->SetPoint(i, Vec3(corner + shown * ray).data());
     }
-    setShown(m_shown);
+    vtkNew<vtkCellArray> triangles;
+    forEachTriangle(m_fabric, [&](vtkIdList& triangle) {
+        if (std::all_of(triangle.begin(), triangle.end(),
+                        [&](vtkIdType corner) { return meets[std::size_t(corner)] != 0; }))
+            triangles->InsertNextCell(&triangle);
+    });
+    m_mesh->SetPolys(triangles);
+    m_points->Modified();
 }
 
 } // namespace ripstop

@@ -1,16 +1,14 @@
-// The shadow of the fabric on a slope that is not the ground of the backdrop, which has softer ones
-// (backdrop_layer.h): it tells how high things are.
+// The shadow of the fabric on landscapes, and on a slope that is not the ground of the backdrop,
+// which has softer ones (backdrop_layer.h): it tells how high things are.
 //
-// It draws the mesh of the panel layer once more, with a matrix that projects it along the rays of
-// the sun onto the plane. Without a shown plane that faces the sun there is no shadow.
+// It draws the triangles of the panel layer once more, each corner where a ray of the sun through
+// it meets the ground; those that miss it with a corner are left out.
 #pragma once
 
 #include "layers/layer.h"
 #include "layers/vtk_data.h"
-#include "look/shadow_map.h"
 
 #include <vtkActor.h>
-#include <vtkMatrix4x4.h>
 
 namespace ripstop {
 
@@ -23,14 +21,18 @@ public:
     void addTo(vtkRenderer& renderer) override;
     void setShown(bool shown) override;
     void rebuild(const Picture& picture) override;
-    void update(const Picture&) override {}
+    void update(const Picture& picture) override;
 
 private:
+    bool isGround(const ColliderBody& body) const;
+
+    vtkPolyData& m_fabric;
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkPolyData> m_mesh;
     vtkNew<vtkPolyDataMapper> m_mapper;
     vtkNew<vtkActor> m_actor;
-    vtkNew<vtkMatrix4x4> m_projection;
     bool m_shown = true;
-    bool m_hasGround = false;
+    bool m_hasSlope = false; // planes count, as none of them is the ground of the backdrop
 };
 
 } // namespace ripstop
