@@ -48,6 +48,17 @@ std::string colorOf(const aiMaterial& material)
     return text;
 }
 
+// Empty where the picture is within the file, of which assimp gives the number after a star.
+std::string pictureOf(const aiMaterial& material)
+{
+    for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+        aiString path;
+        if (material.GetTexture(type, 0, &path) == aiReturn_SUCCESS && path.C_Str()[0] != '*')
+            return path.C_Str();
+    }
+    return {};
+}
+
 // Copies the meshes of a scene of assimp, each as often as a node shows it.
 class Collector
 {
@@ -57,7 +68,8 @@ public:
     {
         for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
             const aiMaterial& material = *scene.mMaterials[i];
-            m_mesh.materials.push_back({material.GetName().C_Str(), colorOf(material)});
+            m_mesh.materials.push_back(
+                {material.GetName().C_Str(), colorOf(material), pictureOf(material)});
         }
         if (m_mesh.materials.empty())
             m_mesh.materials.emplace_back();

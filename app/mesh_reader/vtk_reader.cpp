@@ -217,7 +217,7 @@ private:
             int(m_mesh.materials.size()));
         if (isNew)
             m_mesh.materials.push_back(
-                {isSaid ? "material " + std::to_string(std::int64_t(said)) : "", ""});
+                {isSaid ? "material " + std::to_string(std::int64_t(said)) : "", "", ""});
         return found->second;
     }
 

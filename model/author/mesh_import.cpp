@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 namespace ripstop {
 namespace {
@@ -127,6 +129,17 @@ double areaOf(const RepairedMesh& surface)
     return area;
 }
 
+// The picture of a material of the file, as it is seen from the folder of the scene.
+void print(Material& material, const PolygonMesh::Material& file, const std::string& folder)
+{
+    if (file.picture.empty())
+        return;
+    std::error_code error;
+    const auto seen =
+        std::filesystem::proximate(file.picture, folder.empty() ? "." : folder, error);
+    material.picture = error ? file.picture : seen.generic_string();
+}
+
 // The new materials, by the index of the file's; those that no face has are noId.
 std::vector<Id> addFabrics(Scene& scratch, const PreparedMesh& mesh, const MeshFabric& fabric,
                            double density, std::vector<std::string>& names)
@@ -138,6 +151,11 @@ std::vector<Id> addFabrics(Scene& scratch, const PreparedMesh& mesh, const MeshF
     const std::vector<PolygonMesh::Material>& listed = mesh.surfaces.front().mesh.materials;
     if (!fabric.isPerFileMaterial || listed.size() < 2) {
         material.name = freeName(names, material.name);
+        std::set<int> used;
+        for (const RepairedMesh& surface : mesh.surfaces)
+            used.insert(surface.mesh.material.begin(), surface.mesh.material.end());
+        if (used.size() == 1)
+            print(material, listed[std::size_t(*used.begin())], scratch.folder.path);
         return {addItem(scratch, std::move(material))};
     }
     std::vector<Id> ids(listed.size(), noId);
@@ -150,6 +168,7 @@ std::vector<Id> addFabrics(Scene& scratch, const PreparedMesh& mesh, const MeshF
             Material one = material;
             one.name = freeName(names, file.name.empty() ? material.name : file.name);
             one.color = file.color.empty() ? one.color : file.color;
+            print(one, file, scratch.folder.path);
             id = addItem(scratch, std::move(one));
         }
     return ids;
@@ -276,7 +295,7 @@ Weave weaveOf(const PreparedMesh& mesh, const MeshFabric& fabric)
 
 Surroundings surroundingsOf(const Scene& scene)
 {
-    Surroundings surroundings{scene.nextId, scene.items.size(), {}};
+    Surroundings surroundings{scene.nextId, scene.items.size(), {}, scene.folder.path};
     for (const Entry& entry : scene.items)
         surroundings.names.push_back(nameOf(entry.item));
     return surroundings;
@@ -307,6 +326,7 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
     std::vector<std::string> names = surroundings.names;
     Scene scratch;
     scratch.nextId = surroundings.nextId;
+    scratch.folder.path = surroundings.folder;
     const Weave weave = weaveOf(mesh, fabric);
     WeaveMaterials materials{addFabrics(scratch, mesh, fabric, *density, names), noId};
     if (weave.bend != LinkStyle::None)

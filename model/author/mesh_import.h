@@ -58,8 +58,9 @@ struct MeshFabric
     Material material;             // as it is in the scene, or is to be
     std::optional<double> density; // kg/m^2, where the material does not say
     FabricKind carrier = FabricKind::Threads;
-    bool isPerFileMaterial = false;      // one new material for each of the file, with its name and
-                                         // colour and the numbers of `material`
+    bool isPerFileMaterial = false;      // one new material for each of the file, with its name,
+                                         // colour and picture and the numbers of `material`; where
+                                         // the file has one only, the new one has its picture
     double bendStiffness = 0.0;          // N/m, of bend links; 0: 0.02 of the fabric's stiffness
     std::optional<LinkStyle> structural; // absent: defaultWeave()
     std::optional<LinkStyle> shear;
@@ -82,6 +83,7 @@ struct Surroundings
     Id nextId{1};
     std::size_t itemCount = 0;
     std::vector<std::string> names; // of items
+    std::string folder;             // that pictures are seen from, Scene::folder
 };
 Surroundings surroundingsOf(const Scene& scene);
 

@@ -11,7 +11,8 @@ namespace ripstop {
 
 template <>
 inline constexpr auto fieldsOf<PolygonMesh::Material> =
-    fields<PolygonMesh::Material, &PolygonMesh::Material::name, &PolygonMesh::Material::color>;
+    fields<PolygonMesh::Material, &PolygonMesh::Material::name, &PolygonMesh::Material::color,
+           &PolygonMesh::Material::picture>;
 
 template <>
 inline constexpr auto fieldsOf<PolygonMesh> =

@@ -2,7 +2,8 @@
 // 1. refusal() looks at the file before it is opened: whether it exists, and its size.
 // 2. OBJ, PLY and OFF go to readers of our own, all others to assimp in a process of its own
 //    (mesh_process.h).
-// 3. A mesh without faces or with points that are not finite is refused; exceptions end here.
+// 3. Pictures of materials are looked for, a mesh without faces or with points that are not finite
+// is refused; exceptions end here.
 // 4. readMeshFile() makes a collider of it: it splits polygons into triangles and joins points at
 //    the same place, because a tree of loose triangles would never be closed.
 #include "shapes/mesh_file.h"
@@ -13,8 +14,10 @@
 #include "shapes/polygon_split.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -76,13 +79,48 @@ Result<PolygonMesh> readObjFile(const std::filesystem::path& file, const Progres
     if (!text)
         return text.failure();
     Result<PolygonMesh> mesh = readObj(*text, file.string(), progress);
-    // A missing or broken file of colours is no reason to refuse the mesh.
+    // A missing or broken file of materials is no reason to refuse the mesh.
     const std::filesystem::path colors = std::filesystem::path(file).replace_extension(".mtl");
     std::error_code error;
     if (mesh && std::filesystem::is_regular_file(colors, error))
         if (const Result<std::string> list = contentOf(colors))
-            readMtlColors(*list, *mesh);
+            readMtl(*list, *mesh);
     return mesh;
+}
+
+// Of a URI, "%20" is a space and so on.
+std::string decoded(std::string_view uri)
+{
+    std::string text;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned char byte = 0;
+        const char* const digits = uri.data() + i + 1;
+        if (uri[i] == '%' && i + 2 < uri.size()
+            && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+            text += char(byte);
+            i += 2;
+        } else {
+            text += uri[i];
+        }
+    }
+    return text;
+}
+
+// The places of pictures from here. Those that are not there, or lie within the mesh's file, are
+// left out.
+void findPictures(const std::filesystem::path& file, PolygonMesh& mesh)
+{
+    for (PolygonMesh::Material& material : mesh.materials) {
+        const std::string named = std::exchange(material.picture, {});
+        if (named.empty())
+            continue;
+        for (const std::string& name : {named, decoded(named)}) {
+            const std::filesystem::path picture = file.parent_path() / name;
+            std::error_code error;
+            if (material.picture.empty() && std::filesystem::is_regular_file(picture, error))
+                material.picture = std::filesystem::absolute(picture, error).string();
+        }
+    }
 }
 
 using ReadText = Result<PolygonMesh> (*)(std::string_view, const std::string&, const Progress&);
@@ -121,6 +159,7 @@ try {
         mesh->unit = 1.0; // assimp converts these formats
         mesh->isUpright = true;
     }
+    findPictures(file, *mesh);
     return mesh;
 } catch (const std::exception& error) {
     return unread(file, error.what());

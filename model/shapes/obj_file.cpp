@@ -1,7 +1,8 @@
 // Reads OBJ line by line: a backslash joins lines, a keyword chooses what to add, and what is not
 // known is passed over. Points and texture points are kept as they come; faces keep indices only,
 // because those may point forward, and checkFaces() looks at all of them in the end. The first
-// flaw ends the reading with its line. Colours of materials come from a second file, by name.
+// flaw ends the reading with its line. Colours and pictures of materials come from a second file,
+// by name.
 #include "shapes/obj_file.h"
 
 #include "shapes/text_words.h"
@@ -156,7 +157,7 @@ private:
     {
         const auto [place, isNew] = m_materials.emplace(name, int(m_mesh.materials.size()));
         if (isNew)
-            m_mesh.materials.push_back({name, {}});
+            m_mesh.materials.push_back({name, {}, {}});
         m_material = place->second;
     }
 
@@ -206,6 +207,12 @@ private:
     bool m_hasTexture = false;
 };
 
+// The file of a texture; where it has options, that is the last word, and has no spaces in it.
+std::string pictureOf(const std::string& texture)
+{
+    return texture.starts_with('-') ? texture.substr(texture.find_last_of(" \t") + 1) : texture;
+}
+
 } // namespace
 
 Result<PolygonMesh> readObj(std::string_view text, const std::string& name,
@@ -214,7 +221,7 @@ Result<PolygonMesh> readObj(std::string_view text, const std::string& name,
     return ObjReader(name).read(text, progress);
 }
 
-void readMtlColors(std::string_view text, PolygonMesh& mesh)
+void readMtl(std::string_view text, PolygonMesh& mesh)
 {
     PolygonMesh::Material* current = nullptr;
     std::string joined;
@@ -235,6 +242,8 @@ void readMtlColors(std::string_view text, PolygonMesh& mesh)
             std::snprintf(color, sizeof color, "#%02x%02x%02x", int(std::lround(255.0 * parts[0])),
                           int(std::lround(255.0 * parts[1])), int(std::lround(255.0 * parts[2])));
             current->color = color;
+        } else if (keyword == "map_Kd" && current) {
+            current->picture = pictureOf(rest(line));
         }
     }
 }

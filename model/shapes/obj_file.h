@@ -18,7 +18,8 @@ namespace ripstop {
 Result<PolygonMesh> readObj(std::string_view text, const std::string& name,
                             const Progress& progress = {});
 
-// Colours of the materials of a .mtl file (Kd), given to those of the mesh by their name.
-void readMtlColors(std::string_view text, PolygonMesh& mesh);
+// Colours and pictures of the materials of a .mtl file (Kd, map_Kd), given to those of the mesh by
+// their name.
+void readMtl(std::string_view text, PolygonMesh& mesh);
 
 } // namespace ripstop

@@ -30,7 +30,8 @@ struct PolygonMesh
     struct Material
     {
         std::string name;
-        std::string color; // "#rrggbb", or empty when the file does not say
+        std::string color;   // "#rrggbb", or empty when the file does not say
+        std::string picture; // a file, as seen from the mesh's folder until mesh_file.h finds it
     };
 
     std::vector<Vec3> points;              // [points] in the unit of the file

@@ -110,7 +110,7 @@ void fuzzMtl(std::string_view bytes)
 {
     PolygonMesh mesh;
     mesh.materials = {{"cloth", ""}, {"spar", ""}};
-    readMtlColors(bytes, mesh);
+    readMtl(bytes, mesh);
     demand(mesh.materials.size() == 2, "materials were lost");
 }
 

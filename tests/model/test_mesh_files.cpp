@@ -142,6 +142,43 @@ private slots:
         QVERIFY((mesh.size - Vec3(1.0, 2.0, 0.0)).norm() < 1e-6);
     }
 
+    // Pictures of materials are found from the mesh's folder; one that is not there is left out.
+    void pictures()
+    {
+        QVERIFY(QDir(m_folder.path()).mkpath("art"));
+        const std::string picture =
+            write("art/my sail.png", "what is in it is not looked at").toStdString();
+        const QString other = write("art/other.png", "");
+        write("flag.mtl", "newmtl a\nKd 1 0 0\nmap_Kd art/my sail.png\n"
+                          "newmtl b\nmap_Kd -s 2 2 1 art/other.png\nnewmtl c\nmap_Kd no.png\n");
+        const PolygonMesh flag =
+            fileOf("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                               "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 3/3 2/2 1/1\n"
+                               "usemtl c\nf 1/1 3/3 2/2\n");
+        QCOMPARE(flag.materials[0].color, std::string("#ff0000"));
+        QCOMPARE(flag.materials[0].picture, picture);
+        QCOMPARE(flag.materials[1].picture, other.toStdString());
+        QCOMPARE(flag.materials[2].picture, std::string());
+
+        QByteArray corners; // three of three floats, as three of two and so many bytes more
+        for (const float number : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F})
+            corners.append(reinterpret_cast<const char*>(&number), sizeof number);
+        QByteArray gltf =
+            "{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],"
+            "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0}]}],"
+            "'materials':[{'name':'sail','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}],"
+            "'textures':[{'source':0}],'images':[{'uri':'art/my%20sail.png'}],"
+            "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3',"
+            "'min':[0,0,0],'max':[1,1,0]},{'bufferView':0,'componentType':5126,'count':3,"
+            "'type':'VEC2'}],'bufferViews':[{'buffer':0,'byteLength':36}],"
+            "'buffers':[{'byteLength':36,'uri':'data:application/octet-stream;base64,"
+            + corners.toBase64() + "'}]}";
+        gltf.replace('\'', '"');
+        const PolygonMesh sail = fileOf("sail.gltf", gltf);
+        QCOMPARE(sail.materials.front().picture, picture);
+        QCOMPARE(sail.texture.front()[1], 1.0); // glTF counts from the top, here it is from below
+    }
+
     void refusals_data()
     {
         QTest::addColumn<QString>("name");
@@ -295,6 +332,23 @@ private slots:
         const QJsonObject both = call({"info", scene, "--json"}).json();
         QCOMPARE(both["particles"].toInt(), 16);
         QCOMPARE(both["parts"].toArray().size(), 2);
+    }
+
+    // The scene names a picture from where it is.
+    void commandLineWithPicture()
+    {
+        QVERIFY(QDir(m_folder.path()).mkpath("mesh"));
+        QVERIFY(QDir(m_folder.path()).mkpath("scene"));
+        write("mesh/sail.png", "");
+        write("mesh/sail.mtl", "newmtl a\nmap_Kd sail.png\n");
+        const QString mesh =
+            write("mesh/sail.obj", "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const QString scene = m_folder.filePath("scene/sail.ripstop.json");
+        const Outcome made = call({"import", mesh, "-o", scene});
+        QCOMPARE(made.error, QString());
+        QFile file(scene);
+        QVERIFY(file.open(QFile::ReadOnly));
+        QVERIFY(file.readAll().contains("\"picture\": \"../mesh/sail.png\""));
     }
 
     void commandLineRefuses()
