@@ -10221,6 +10221,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>A worn sail</source>
+        <translation>Une voile usée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>About the vertical.</source>
         <translation>Autour de la verticale.</translation>
     </message>
@@ -14563,6 +14568,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>The Dacron glider flies over generated hills of 40 m, a height field of 256 x 256 points, and lands on them when it is low. Tune the altitude of the hills, the y of the size of the ground.</source>
         <translation>Le deltaplane en Dacron survole des collines engendrées de 40 m, un champ de hauteurs de 256 x 256 points, et s’y pose quand il est bas. Réglez la hauteur des collines, le y de la taille du sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The delta of The last gust in 0.75 oz ripstop, with an old crease: along it 8 % of the cloth's strength is left, painted on the panels. At 15.3 s a gust after a lull tears the sail along the crease, from the trailing edge forwards. Colour the fabric by strength factor to see the crease, and paint it stronger with the brush (U): with 12 % it holds.</source>
+        <translation>Le delta de « La dernière rafale » en ripstop de 0,75 oz, avec un vieux pli : il y reste 8 % de la résistance de la toile, peints sur les panneaux. À 15,3 s, une rafale après une accalmie déchire la voile le long du pli, à partir du bord de fuite. Colorez la toile par le facteur de résistance pour voir le pli, et peignez-le plus fort au pinceau (U) : avec 12 %, elle tient.</translation>
     </message>
     <message>
         <location filename="tables"/>

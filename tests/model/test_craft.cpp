@@ -212,6 +212,41 @@ private slots:
         QVERIFY(simulation.runUntil(20.0)); // and goes on without its pocket
     }
 
+    // The gust finds what is worn: the sail gives way where its strength is as little as is
+    // painted, and nowhere else; painted half as strong again it holds.
+    void wornSailTearsAlongItsCrease_data()
+    {
+        QTest::addColumn<double>("least");
+        QTest::newRow("as it is") << 0.0;
+        QTest::newRow("painted over") << 0.12;
+    }
+
+    void wornSailTearsAlongItsCrease()
+    {
+        QFETCH(double, least);
+        Scene scene = sample("worn_sail");
+        Part& part = std::get<Part>(std::ranges::find_if(scene.items, [](const Entry& entry) {
+                                        return std::holds_alternative<Part>(entry.item);
+                                    })->item);
+        for (Panel& panel : part.panels)
+            panel.strengthFactor = std::max(panel.strengthFactor, least);
+        Simulation simulation(*compile(scene));
+        QVERIFY(simulation.runUntil(20.0));
+        const std::vector<State::Tear>& tears = simulation.state().tears;
+        QCOMPARE(tears.empty(), least > 0.0);
+        for (const State::Tear& tear : tears) {
+            const auto panel = std::ranges::find(part.panels, Id{tear.element},
+                                                 [](const Panel& p) { return p.id; });
+            QVERIFY(panel != part.panels.end());
+            double u = 0.0;
+            for (const Id corner : {panel->a, panel->b, panel->c})
+                u += std::ranges::find(part.particles, corner, &Particle::id)->textureU / 3.0;
+            QVERIFY2(std::abs(u - 0.31) < 0.1, qPrintable(QString::number(u)));
+            QVERIFY(std::abs(tear.time - 15.3) < 0.1);
+            QVERIFY(tear.force > 6400.0 * panel->strengthFactor);
+        }
+    }
+
     // Glide ratio above 2 and steady; the linear-normal law allows some 3.5 (validation 4.7).
     void gliderGlides()
     {

@@ -71,7 +71,7 @@ private slots:
 
     void isWhatItsBuilderMakes_data() { runs_data(); }
 
-    // If this fails after a change of a builder, run scenes/make.
+    // But for what is painted. If this fails after a change of a builder, run scenes/make.
     void isWhatItsBuilderMakes()
     {
         QFETCH(QString, name);
@@ -81,7 +81,10 @@ private slots:
         QVERIFY(builder);
         const Result<Scene> again = build(*builder, part.parameters);
         QVERIFY(bool(again));
-        QVERIFY(partOf(*again) == part);
+        Part unpainted = part;
+        for (Panel& panel : unpainted.panels)
+            panel.strengthFactor = 1.0;
+        QVERIFY(partOf(*again) == unpainted);
     }
 
     // Validation 1.4, 1.5, 1.6.
