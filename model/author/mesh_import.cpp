@@ -7,11 +7,12 @@
 // on this thread.
 #include "author/mesh_import.h"
 
+#include "derived/named_files.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 namespace ripstop {
@@ -129,15 +130,10 @@ double areaOf(const RepairedMesh& surface)
     return area;
 }
 
-// The picture of a material of the file, as it is seen from the folder of the scene.
 void print(Material& material, const PolygonMesh::Material& file, const std::string& folder)
 {
-    if (file.picture.empty())
-        return;
-    std::error_code error;
-    const auto seen =
-        std::filesystem::proximate(file.picture, folder.empty() ? "." : folder, error);
-    material.picture = error ? file.picture : seen.generic_string();
+    if (!file.picture.empty())
+        material.picture = nameSeenFrom(folder, file.picture);
 }
 
 // The new materials, by the index of the file's; those that no face has are noId.

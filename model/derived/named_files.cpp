@@ -2,6 +2,13 @@
 
 namespace ripstop {
 
+std::string nameSeenFrom(const std::filesystem::path& folder, const std::filesystem::path& file)
+{
+    std::error_code error;
+    const auto seen = std::filesystem::proximate(file, folder.empty() ? "." : folder, error);
+    return (error ? file : seen).generic_string();
+}
+
 std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,
                          const std::string& file)
 {
@@ -14,8 +21,7 @@ std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& sc
     std::error_code error;
     if (!fs::exists(place, error) || fs::equivalent(from, to, error))
         return file;
-    const fs::path seen = fs::proximate(place, to, error);
-    return error ? file : seen.generic_string();
+    return nameSeenFrom(to, place);
 }
 
 } // namespace ripstop

@@ -11,6 +11,10 @@
 
 namespace ripstop {
 
+// How a file is named that is seen from a folder, of which an empty one is the working directory;
+// as it was where there is no way between the two.
+std::string nameSeenFrom(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 // How a file is named in a scene that lies in another folder. An absolute path stays as it is, and
 // so does that of a file that is not there: it may be meant to come.
 std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,

@@ -8,6 +8,7 @@
 #include "export/moment.h"
 
 #include "base/program_version.h"
+#include "derived/named_files.h"
 #include "export/standing.h"
 #include "io/json_text.h"
 
@@ -129,10 +130,8 @@ std::optional<ObjMaterials> objMaterials(const std::filesystem::path& obj,
         materials.text += '\n';
         if (fabric.picture.empty())
             continue;
-        std::error_code error;
-        const auto seen = std::filesystem::proximate(
-            fabric.picture, std::filesystem::absolute(obj).parent_path(), error);
-        materials.text += "map_Kd " + (error ? fabric.picture : seen).generic_string() + '\n';
+        const std::filesystem::path folder = std::filesystem::absolute(obj).parent_path();
+        materials.text += "map_Kd " + nameSeenFrom(folder, fabric.picture) + '\n';
     }
     return materials;
 }

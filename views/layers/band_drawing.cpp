@@ -1,3 +1,5 @@
+// rebuild() says of which vertices of the panels those of the bands are mixed, and update() mixes
+// what these have by now.
 #include "layers/band_drawing.h"
 
 #include "layers/cloth_shader.h"
@@ -18,6 +20,13 @@ std::array<float, Size> mixed(std::span<const std::array<float, Size>> values,
         for (std::size_t i = 0; i < Size; ++i)
             sum[i] += shares[corner] * values[vertices[corner]][i];
     return sum;
+}
+
+float mixed(std::span<const float> values, const Corners& vertices,
+            const std::array<float, 3>& shares)
+{
+    return shares[0] * values[vertices[0]] + shares[1] * values[vertices[1]]
+           + shares[2] * values[vertices[2]];
 }
 
 template <std::size_t Size>
@@ -86,10 +95,7 @@ void BandDrawing::update(std::span<const std::array<float, 3>> points,
     for (const auto& [vertices, shares] : m_mixtures) {
         *point++ = mixed<3>(points, vertices, shares);
         *normal++ = mixed<3>(normals, vertices, shares);
-        *shadeHere = 0.0F;
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            *shadeHere += shares[corner] * shade[vertices[corner]];
-        ++shadeHere;
+        *shadeHere++ = mixed(shade, vertices, shares);
     }
     m_points->Modified();
     m_mesh->Modified();

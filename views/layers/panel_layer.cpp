@@ -160,7 +160,8 @@ void PanelLayer::takePoints(const Picture& picture)
 {
     const auto& position = picture.frame.position;
     smoothNormals(m_panels, m_present, position, m_normal);
-    m_sunShade.cast(position, m_normal, m_panels, m_present, m_shade);
+    if (picture.colorBy == ColorBy::Material) // numbers have no light
+        m_sunShade.cast(position, m_normal, m_panels, m_present, m_shade);
     auto* point = reinterpret_cast<std::array<float, 3>*>(m_points->GetVoidPointer(0));
     auto* normal = reinterpret_cast<std::array<float, 3>*>(m_normals->GetPointer(0));
     float* shade = m_shadeOfVertices->GetPointer(0);

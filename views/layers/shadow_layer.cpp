@@ -36,15 +36,34 @@ double meanSide(vtkPolyData& mesh) // m
     return sum / std::max<double>(1.0, double(mesh.GetNumberOfCells()));
 }
 
-// m along a ray of the sun.
-double wayTo(const ColliderBody& ground, const Frame& frame, const Vec3& corner, const Vec3& ray)
+struct ShadowedGround
 {
-    const Vec3 place = placeOf(frame, ground.id, ground.collider);
-    if (ground.collider.shape != ColliderShape::Plane)
-        return distanceTo(ground, place, corner, ray);
-    const Vec3& normal = ground.collider.normal;
-    const double way = (place - corner).dot(normal) / ray.dot(normal);
-    return way >= 0.0 ? way : missed;
+    const ColliderBody& body;
+    Vec3 place; // m
+
+    double wayTo(const Vec3& corner, const Vec3& ray) const // m along a ray of the sun
+    {
+        if (body.collider.shape != ColliderShape::Plane)
+            return distanceTo(body, place, corner, ray);
+        const Vec3& normal = body.collider.normal;
+        const double way = (place - corner).dot(normal) / ray.dot(normal);
+        return way >= 0.0 ? way : missed;
+    }
+};
+
+// Landscapes, and planes that the sun lights where none of them is the ground of the backdrop.
+std::vector<ShadowedGround> groundsOf(const Picture& picture)
+{
+    const bool hasSlopes = !levelPlane(picture.scene);
+    std::vector<ShadowedGround> grounds;
+    for (const ColliderBody& body : picture.colliders) {
+        const Collider& collider = body.collider;
+        const bool isSlope = hasSlopes && collider.shape == ColliderShape::Plane
+                             && collider.normal.dot(sunDirection) > 0.0;
+        if (collider.shown && (isSlope || isGround(body)))
+            grounds.push_back({body, placeOf(picture.frame, body.id, collider)});
+    }
+    return grounds;
 }
 
 } // namespace
@@ -73,23 +92,11 @@ void ShadowLayer::setShown(bool shown)
 void ShadowLayer::rebuild(const Picture& picture)
 {
     setColor(*m_actor->GetProperty(), picture.theme.shadow);
-    m_hasSlope = !levelPlane(picture.scene);
-}
-
-bool ShadowLayer::isGround(const ColliderBody& body) const
-{
-    const Collider& collider = body.collider;
-    const bool isSlope = m_hasSlope && collider.shape == ColliderShape::Plane
-                         && collider.normal.dot(sunDirection) > 0.0;
-    return collider.shown && (isSlope || ripstop::isGround(body));
 }
 
 void ShadowLayer::update(const Picture& picture)
 {
-    std::vector<const ColliderBody*> grounds;
-    for (const ColliderBody& body : picture.colliders)
-        if (isGround(body))
-            grounds.push_back(&body);
+    const std::vector<ShadowedGround> grounds = groundsOf(picture);
     vtkPoints* const corners = m_fabric.GetPoints();
     const bool isDrawn = m_shown && !grounds.empty() && corners->GetNumberOfPoints() <= mostCorners;
     m_actor->SetVisibility(isDrawn);
@@ -105,10 +112,10 @@ void ShadowLayer::update(const Picture& picture)
     for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i) {
         const Vec3 corner(corners->GetPoint(i));
         double way = missed, over = 0.0;
-        for (const ColliderBody* body : grounds)
-            if (const double own = wayTo(*body, picture.frame, corner, ray); own < way) {
+        for (const ShadowedGround& ground : grounds)
+            if (const double own = ground.wayTo(corner, ray); own < way) {
                 way = own;
-                over = body->collider.shape == ColliderShape::Plane ? 0.0 : lift;
+                over = ground.body.collider.shape == ColliderShape::Plane ? 0.0 : lift;
             }
         meets[std::size_t(i)] = way < missed;
         const double shown = way < missed ? way - std::min(over, 0.5 * way) : 0.0;

@@ -24,15 +24,12 @@ public:
     void update(const Picture& picture) override;
 
 private:
-    bool isGround(const ColliderBody& body) const;
-
     vtkPolyData& m_fabric;
     vtkNew<vtkPoints> m_points;
     vtkNew<vtkPolyData> m_mesh;
     vtkNew<vtkPolyDataMapper> m_mapper;
     vtkNew<vtkActor> m_actor;
     bool m_shown = true;
-    bool m_hasSlope = false; // planes count, as none of them is the ground of the backdrop
 };
 
 } // namespace ripstop

@@ -6,6 +6,8 @@
 // axis: three windows of n = w / 2 are as wide as the disc.
 #include "look/shadow_map.h"
 
+#include "look/triangle_pixels.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -22,29 +24,13 @@ constexpr double highestFoot = 0.3;  // m
 constexpr double smallest = 1e-3;    // m
 constexpr float leastBlur = 1.6F;    // pixels, against steps of pixels
 
-// Draws a triangle: each pixel whose middle lies in it is at least `value`.
-void draw(std::vector<float>& sheet, const std::array<std::array<float, 2>, 3>& p, float value)
+// Each pixel of the triangle is at least `value`.
+void draw(std::vector<float>& sheet, const std::array<std::array<float, 2>, 3>& corners,
+          float value)
 {
-    const auto [lowX, highX] = std::minmax({p[0][0], p[1][0], p[2][0]});
-    const auto [lowZ, highZ] = std::minmax({p[0][1], p[1][1], p[2][1]});
-    const int left = std::max(0, int(std::ceil(lowX - 0.5F)));
-    const int right = std::min(side - 1, int(std::floor(highX - 0.5F)));
-    const int first = std::max(0, int(std::ceil(lowZ - 0.5F)));
-    const int last = std::min(side - 1, int(std::floor(highZ - 0.5F)));
-    const auto twiceArea = [](const auto& a, const auto& b, float x, float z) {
-        return (b[0] - a[0]) * (z - a[1]) - (b[1] - a[1]) * (x - a[0]);
-    };
-    const float turn = twiceArea(p[0], p[1], p[2][0], p[2][1]) < 0.0F ? -1.0F : 1.0F;
-    for (int row = first; row <= last; ++row)
-        for (int column = left; column <= right; ++column) {
-            const float x = float(column) + 0.5F, z = float(row) + 0.5F;
-            if (turn * twiceArea(p[0], p[1], x, z) >= 0.0F
-                && turn * twiceArea(p[1], p[2], x, z) >= 0.0F
-                && turn * twiceArea(p[2], p[0], x, z) >= 0.0F) {
-                float& pixel = sheet[std::size_t(row * side + column)];
-                pixel = std::max(pixel, value);
-            }
-        }
+    forEachPixel(side, corners, [&](std::size_t pixel, float, float) {
+        sheet[pixel] = std::max(sheet[pixel], value);
+    });
 }
 
 // The mean over 2 r + 1 pixels along one direction; there is nothing beyond the edges.

@@ -3,6 +3,7 @@
 #include "look/sun_shade.h"
 
 #include "look/shadow_map.h"
+#include "look/triangle_pixels.h"
 
 #include <Eigen/Geometry>
 
@@ -61,28 +62,16 @@ bool SunShade::frame(std::span<const Vec3> places, std::span<const std::array<fl
     return true;
 }
 
-// Each pixel whose middle lies in the triangle, seen from either side.
 void SunShade::draw(const Spot& a, const Spot& b, const Spot& c)
 {
-    const float twiceArea =
-        (b.across - a.across) * (c.up - a.up) - (b.up - a.up) * (c.across - a.across);
-    if (twiceArea == 0.0F || !isSeen(a) || !isSeen(b) || !isSeen(c))
+    if (!isSeen(a) || !isSeen(b) || !isSeen(c))
         return;
-    const auto [left, right] = std::minmax({a.across, b.across, c.across});
-    const auto [low, high] = std::minmax({a.up, b.up, c.up});
-    for (int row = int(std::ceil(low - 0.5F)); row <= int(std::floor(high - 0.5F)); ++row)
-        for (int column = int(std::ceil(left - 0.5F)); column <= int(std::floor(right - 0.5F));
-             ++column) {
-            const float x = float(column) + 0.5F - a.across;
-            const float y = float(row) + 0.5F - a.up;
-            const float ofB = (x * (c.up - a.up) - y * (c.across - a.across)) / twiceArea;
-            const float ofC = (y * (b.across - a.across) - x * (b.up - a.up)) / twiceArea;
-            if (ofB < 0.0F || ofC < 0.0F || ofB + ofC > 1.0F)
-                continue;
-            float& pixel = m_nearness[std::size_t(row * side + column)];
-            pixel = std::max(pixel, a.nearness + ofB * (b.nearness - a.nearness)
-                                        + ofC * (c.nearness - a.nearness));
-        }
+    forEachPixel(side, {{{a.across, a.up}, {b.across, b.up}, {c.across, c.up}}},
+                 [&](std::size_t pixel, float ofB, float ofC) {
+                     m_nearness[pixel] =
+                         std::max(m_nearness[pixel], a.nearness + ofB * (b.nearness - a.nearness)
+                                                         + ofC * (c.nearness - a.nearness));
+                 });
 }
 
 float SunShade::shadeOf(const Spot& spot) const
