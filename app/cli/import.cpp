@@ -14,6 +14,7 @@
 #include "scene/element_index.h"
 #include "scene/path.h"
 #include "shapes/mesh_file.h"
+#include "shapes/packed_pictures.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -144,6 +145,9 @@ Json jsonOf(const std::string& file, const PreparedMesh& mesh, const MeshImport&
                           {"text", finding.text().english()},
                           {"places", std::move(places)}});
     }
+    Json pictures = Json::array();
+    for (const PolygonMesh::PackedPicture& picture : made.pictures)
+        pictures.push_back(picture.file);
     return {{"file", file},
             {"size", numbersOf(mesh.size)},
             {"weld_tolerance", mesh.weldTolerance},
@@ -155,6 +159,7 @@ Json jsonOf(const std::string& file, const PreparedMesh& mesh, const MeshImport&
             {"panels", made.panels},
             {"fabric_area", made.area},
             {"mass", made.mass},
+            {"pictures", std::move(pictures)},
             {"report", std::move(report)}};
 }
 
@@ -165,6 +170,9 @@ void describe(const std::string& file, const PreparedMesh& mesh, const MeshImpor
               << made.particles << " particles, " << made.springs << " springs, " << made.rods
               << " rods, " << made.panels << " panels, " << shortNumber(made.area) << " m^2, "
               << shortNumber(made.mass) << " kg\n";
+    for (const PolygonMesh::PackedPicture& picture : made.pictures)
+        std::cout << "  note: a picture that lies within the mesh's file is " << picture.file
+                  << " now.\n";
     for (const MeshFinding& finding : mesh.report.findings()) {
         std::cout << "  " << gravityName(gravityOf(finding.fault)) << ": "
                   << finding.text().english();
@@ -220,6 +228,9 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
         return fail(Interrupted, "Interrupted; nothing was written.");
     if (!made)
         return fail(BadInput, Message("%1: %2", file, made.message()));
+    for (const PolygonMesh::PackedPicture& picture : made->pictures)
+        if (const auto failure = unpack(picture))
+            std::cerr << "ripstop-cli: warning: " << failure->message.english() << '\n';
     (void)apply(scene, made->edit);
     const Part& part = *findItem<Part>(scene, made->parts.front());
     if (!fabric.isPerFileMaterial) { // the next file is of the same

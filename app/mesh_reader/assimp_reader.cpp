@@ -48,15 +48,25 @@ std::string colorOf(const aiMaterial& material)
     return text;
 }
 
-// Empty where the picture is within the file, of which assimp gives the number after a star.
+// Where the picture is within the file, assimp gives its number after a star.
 std::string pictureOf(const aiMaterial& material)
 {
     for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
         aiString path;
-        if (material.GetTexture(type, 0, &path) == aiReturn_SUCCESS && path.C_Str()[0] != '*')
+        if (material.GetTexture(type, 0, &path) == aiReturn_SUCCESS)
             return path.C_Str();
     }
     return {};
+}
+
+PolygonMesh::PackedPicture packed(const aiTexture& texture)
+{
+    PolygonMesh::PackedPicture picture;
+    const std::string name = texture.mFilename.C_Str();
+    picture.name = name.starts_with('*') ? std::string() : name;
+    if (texture.mHeight == 0) // a file as it is, of so many bytes
+        picture.bytes.assign(reinterpret_cast<const char*>(texture.pcData), texture.mWidth);
+    return picture;
 }
 
 // Copies the meshes of a scene of assimp, each as often as a node shows it.
@@ -73,6 +83,8 @@ public:
         }
         if (m_mesh.materials.empty())
             m_mesh.materials.emplace_back();
+        for (unsigned i = 0; i < scene.mNumTextures; ++i)
+            m_mesh.pictures.push_back(packed(*scene.mTextures[i]));
     }
 
     PolygonMesh collect()

@@ -136,6 +136,22 @@ void print(Material& material, const PolygonMesh::Material& file, const std::str
         material.picture = nameSeenFrom(folder, file.picture);
 }
 
+// Those of the pictures that are printed on a material.
+std::vector<PolygonMesh::PackedPicture>
+picturesOn(const Scene& scratch, const std::vector<PolygonMesh::PackedPicture>& pictures)
+{
+    std::set<std::string> printed;
+    for (const Entry& entry : scratch.items)
+        if (const auto* material = std::get_if<Material>(&entry.item))
+            printed.insert(material->picture);
+    std::vector<PolygonMesh::PackedPicture> found;
+    for (const PolygonMesh::PackedPicture& picture : pictures)
+        if (!picture.file.empty()
+            && printed.contains(nameSeenFrom(scratch.folder.path, picture.file)))
+            found.push_back(picture);
+    return found;
+}
+
 // The new materials, by the index of the file's; those that no face has are noId.
 std::vector<Id> addFabrics(Scene& scratch, const PreparedMesh& mesh, const MeshFabric& fabric,
                            double density, std::vector<std::string>& names)
@@ -218,6 +234,7 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
         return metres.failure();
     const std::size_t stray = std::exchange(metres->strayElements, 0);
     PreparedMesh result;
+    result.pictures = std::exchange(metres->pictures, {});
     result.size = boxOf(*metres).size();
     result.weldTolerance = shape.weldTolerance.value_or(weldOverSize * result.size.norm());
     if (!(result.weldTolerance >= 0.0) || result.weldTolerance > result.size.maxCoeff())
@@ -355,6 +372,7 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
         result.parts.push_back(network.finish({}, {}));
         addGroups(scratch, surface, firstPanel, names);
     }
+    result.pictures = picturesOn(scratch, mesh.pictures);
     result.edit.label = Message("Import %1", name);
     for (std::size_t i = 0; i < scratch.items.size(); ++i)
         result.edit.changes.push_back(

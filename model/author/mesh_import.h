@@ -41,10 +41,11 @@ struct MeshShape
 
 struct PreparedMesh
 {
-    std::vector<RepairedMesh> surfaces; // one for each part
-    MeshReport report;                  // of all of them
-    Vec3 size = Vec3::Zero();           // m
-    double weldTolerance = 0.0;         // m, as used
+    std::vector<RepairedMesh> surfaces;               // one for each part
+    MeshReport report;                                // of all of them
+    Vec3 size = Vec3::Zero();                         // m
+    double weldTolerance = 0.0;                       // m, as used
+    std::vector<PolygonMesh::PackedPicture> pictures; // that lie within the mesh's file
 };
 
 // The file's own unit and axis win over those of `shape`.
@@ -95,8 +96,10 @@ struct MeshImport
     std::size_t springs = 0;
     std::size_t rods = 0;
     std::size_t panels = 0;
-    double area = 0.0; // m^2
-    double mass = 0.0; // kg
+    double area = 0.0;                                // m^2
+    double mass = 0.0;                                // kg
+    std::vector<PolygonMesh::PackedPicture> pictures; // that the edit's materials name, and which
+                                                      // have to be written: packed_pictures.h
 };
 
 // `name` is that of the part, or in front of those of several.

@@ -15,11 +15,17 @@ inline constexpr auto fieldsOf<PolygonMesh::Material> =
            &PolygonMesh::Material::picture>;
 
 template <>
+inline constexpr auto fieldsOf<PolygonMesh::PackedPicture> =
+    fields<PolygonMesh::PackedPicture, &PolygonMesh::PackedPicture::name,
+           &PolygonMesh::PackedPicture::bytes, &PolygonMesh::PackedPicture::file>;
+
+template <>
 inline constexpr auto fieldsOf<PolygonMesh> =
     fields<PolygonMesh, &PolygonMesh::points, &PolygonMesh::first, &PolygonMesh::corners,
            &PolygonMesh::texture, &PolygonMesh::object, &PolygonMesh::material,
-           &PolygonMesh::objects, &PolygonMesh::materials, &PolygonMesh::lines, &PolygonMesh::mass,
-           &PolygonMesh::unit, &PolygonMesh::isUpright, &PolygonMesh::strayElements>;
+           &PolygonMesh::objects, &PolygonMesh::materials, &PolygonMesh::pictures,
+           &PolygonMesh::lines, &PolygonMesh::mass, &PolygonMesh::unit, &PolygonMesh::isUpright,
+           &PolygonMesh::strayElements>;
 
 namespace {
 

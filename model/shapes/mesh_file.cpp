@@ -10,6 +10,7 @@
 
 #include "shapes/mesh_process.h"
 #include "shapes/obj_file.h"
+#include "shapes/packed_pictures.h"
 #include "shapes/ply_file.h"
 #include "shapes/polygon_split.h"
 
@@ -106,14 +107,21 @@ std::string decoded(std::string_view uri)
     return text;
 }
 
-// The places of pictures from here. Those that are not there, or lie within the mesh's file, are
-// left out.
+// The places of pictures from here. Those that are not there are left out.
 void findPictures(const std::filesystem::path& file, PolygonMesh& mesh)
 {
+    nameFilesBeside(file, mesh.pictures);
     for (PolygonMesh::Material& material : mesh.materials) {
         const std::string named = std::exchange(material.picture, {});
         if (named.empty())
             continue;
+        if (named.front() == '*' && !mesh.pictures.empty()) {
+            std::size_t index = 0;
+            std::from_chars(named.data() + 1, named.data() + named.size(), index);
+            if (index < mesh.pictures.size())
+                material.picture = mesh.pictures[index].file;
+            continue;
+        }
         for (const std::string& name : {named, decoded(named)}) {
             const std::filesystem::path picture = file.parent_path() / name;
             std::error_code error;

@@ -31,7 +31,16 @@ struct PolygonMesh
     {
         std::string name;
         std::string color;   // "#rrggbb", or empty when the file does not say
-        std::string picture; // a file, as seen from the mesh's folder until mesh_file.h finds it
+        std::string picture; // a file, as seen from the mesh's folder until mesh_file.h finds it;
+                             // or "*" and the index of a packed one until then
+    };
+
+    // One that lies within the mesh's file (packed_pictures.h).
+    struct PackedPicture
+    {
+        std::string name;  // as the file has it, or empty
+        std::string bytes; // of a PNG or JPEG, or of what nobody knows
+        std::string file;  // where it is to be written, absolute; empty where it cannot be drawn
     };
 
     std::vector<Vec3> points;              // [points] in the unit of the file
@@ -42,6 +51,7 @@ struct PolygonMesh
     std::vector<int> material;             // [faces] index into `materials`
     std::vector<std::string> objects;      // names
     std::vector<Material> materials;       // names and colours
+    std::vector<PackedPicture> pictures;   // that lie within the file
     std::vector<std::array<int, 2>> lines; // [lines] the points that each ties, beside the faces
     std::vector<double> mass;              // [points] kg, or empty when the file does not say
     std::optional<double> unit;            // m, when the format or the file says

@@ -13,6 +13,29 @@
 #include <random>
 
 namespace ripstop::test_mesh_files {
+namespace {
+
+// A glTF of one triangle with a picture on it.
+QByteArray texturedTriangle(const QByteArray& picture)
+{
+    QByteArray corners; // three of three floats, as three of two and so many bytes more
+    for (const float number : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F})
+        corners.append(reinterpret_cast<const char*>(&number), sizeof number);
+    QByteArray gltf =
+        "{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],"
+        "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0}]}],"
+        "'materials':[{'name':'sail','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}],"
+        "'textures':[{'source':0}],'images':[{'uri':'PICTURE'}],"
+        "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3',"
+        "'min':[0,0,0],'max':[1,1,0]},{'bufferView':0,'componentType':5126,'count':3,"
+        "'type':'VEC2'}],'bufferViews':[{'buffer':0,'byteLength':36}],"
+        "'buffers':[{'byteLength':36,'uri':'data:application/octet-stream;base64,"
+        + corners.toBase64() + "'}]}";
+    gltf.replace('\'', '"');
+    return gltf.replace("PICTURE", picture);
+}
+
+} // namespace
 
 class TestMeshFiles : public QObject, MeshFolder
 {
@@ -160,21 +183,7 @@ private slots:
         QCOMPARE(flag.materials[1].picture, other.toStdString());
         QCOMPARE(flag.materials[2].picture, std::string());
 
-        QByteArray corners; // three of three floats, as three of two and so many bytes more
-        for (const float number : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F})
-            corners.append(reinterpret_cast<const char*>(&number), sizeof number);
-        QByteArray gltf =
-            "{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],"
-            "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0}]}],"
-            "'materials':[{'name':'sail','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}],"
-            "'textures':[{'source':0}],'images':[{'uri':'art/my%20sail.png'}],"
-            "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3',"
-            "'min':[0,0,0],'max':[1,1,0]},{'bufferView':0,'componentType':5126,'count':3,"
-            "'type':'VEC2'}],'bufferViews':[{'buffer':0,'byteLength':36}],"
-            "'buffers':[{'byteLength':36,'uri':'data:application/octet-stream;base64,"
-            + corners.toBase64() + "'}]}";
-        gltf.replace('\'', '"');
-        const PolygonMesh sail = fileOf("sail.gltf", gltf);
+        const PolygonMesh sail = fileOf("sail.gltf", texturedTriangle("art/my%20sail.png"));
         QCOMPARE(sail.materials.front().picture, picture);
         QCOMPARE(sail.texture.front()[1], 1.0); // glTF counts from the top, here it is from below
     }
@@ -349,6 +358,42 @@ private slots:
         QFile file(scene);
         QVERIFY(file.open(QFile::ReadOnly));
         QVERIFY(file.readAll().contains("\"picture\": \"../mesh/sail.png\""));
+    }
+
+    // A picture within a .gltf or .glb is written beside it, once, and what is there is not
+    // touched.
+    void packedPictures()
+    {
+        QVERIFY(QDir(m_folder.path()).mkpath("packed"));
+        const QByteArray png = QByteArray::fromBase64( // one red point
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJ"
+            "AAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==");
+        const QString mesh =
+            write("packed/kite.gltf", texturedTriangle("data:image/png;base64," + png.toBase64()));
+        const QString scene = m_folder.filePath("packed/kite.ripstop.json");
+        const QString picture = m_folder.filePath("packed/kite-1.png");
+        const auto import = [&] { return call({"import", mesh, "-o", scene}); };
+        const auto content = [](const QString& name) {
+            QFile file(name);
+            return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        for (int time = 0; time < 2; ++time) {
+            QCOMPARE(import().error, QString());
+            QCOMPARE(content(picture), png);
+            QVERIFY(content(scene).contains("\"picture\": \"kite-1.png\""));
+            QVERIFY(!QFile::exists(m_folder.filePath("packed/kite-1-2.png")));
+        }
+        write("packed/kite-1.png", "another's");
+        QCOMPARE(import().error, QString());
+        QCOMPARE(content(picture), QByteArray("another's"));
+        QCOMPARE(content(m_folder.filePath("packed/kite-1-2.png")), png);
+        QVERIFY(content(scene).contains("\"picture\": \"kite-1-2.png\""));
+
+        const QString odd =
+            write("packed/odd.gltf",
+                  texturedTriangle("data:image/png;base64," + QByteArray("no picture").toBase64()));
+        QCOMPARE(call({"import", odd, "-o", scene}).error, QString());
+        QVERIFY(!content(scene).contains("\"picture\""));
     }
 
     void commandLineRefuses()
