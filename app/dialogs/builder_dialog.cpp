@@ -7,6 +7,7 @@
 // when it is dismissed.
 #include "dialogs/builder_dialog.h"
 
+#include "author/chosen_materials.h"
 #include "dialogs/beside.h"
 #include "dialogs/figures_text.h"
 #include "dialogs/place_form.h"
@@ -217,8 +218,7 @@ void BuilderDialog::showParameters()
 // Fills the form with what the part was built with.
 void BuilderDialog::showValuesOf(const Part& part)
 {
-    m_form->setValues(unsaid(chosen())); // a file may be older than a parameter
-    m_form->setValues(part.parameters);
+    m_form->setValues(parametersNow(*m_scene, m_open->part));
     if (m_table) {
         QStringList rows;
         for (const std::vector<double>& row : tableOf(part.parameters, *chosen().table)) {

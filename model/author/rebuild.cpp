@@ -9,6 +9,7 @@
 // 4. References to rows that are gone are let go, and settings follow where nobody has tuned them.
 #include "author/rebuild.h"
 
+#include "author/chosen_materials.h"
 #include "author/counterparts.h"
 #include "author/tuned_weights.h"
 #include "select/group.h"
@@ -445,7 +446,7 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
 {
     const Part& part = *findItem<Part>(scene, id);
     const Builder& builder = *builderOf(part);
-    Result<Scene> before = build(builder, part.parameters);
+    Result<Scene> before = build(builder, parametersNow(scene, id));
     if (!before)
         return before.failure();
     Result<Scene> after = build(builder, parameters);

@@ -1,10 +1,11 @@
 // A part of a builder, built again with other parameters.
 //
-// Three designs meet: as the builder made it, from the parameters that the part keeps; as it makes
-// it now; and what stands in the scene. Where the parameters make a difference, the scene follows.
-// What they do not touch stays: the tuned number of a material, the key of a control, the limit of
-// a wind. The part keeps its id, its name, its number properties and its place, and its particles
-// their ids where there are as many as before, so that what points at them still does.
+// Three designs meet: as the builder made it, from the parameters of the part as it stands
+// (chosen_materials.h); as it makes it now; and what stands in the scene. Where the parameters make
+// a difference, the scene follows. What they do not touch stays: the tuned number of a material, the
+// key of a control, the limit of a wind. The part keeps its id, its name, its number properties and
+// its place, and its particles their ids where there are as many as before, so that what points at
+// them still does.
 //
 // The rows of the part are the builder's alone. What was changed in them by hand goes when the part
 // is built again; `HandmadeParts` counts it, so that one is told before.

@@ -55,7 +55,9 @@ public:
         for (const auto& [key, law] : patch.laws)
             cloth(airOf(key), law);
         for (const auto& [i, cut] : patch.cuts)
-            this->cut(cut, m_system.membranes[std::size_t(i)]);
+            ofPanels<PanelCut>(cut, m_system.membranes[std::size_t(i)]);
+        for (const auto& [i, factor] : patch.factors)
+            ofPanels(factor, m_system.membranes[std::size_t(i)].factors.stiffness);
         items(patch);
         // the choice of Solver::Auto hangs on what bounds the substep
         m_allRods |= listForces(m_system, edited(patch));
@@ -118,12 +120,12 @@ private:
     {
         if (m_system.cloth.empty())
             return;
-        ClothLaw& held = m_system.cloth[std::size_t(place)];
-        m_allRods |= held != law;
-        held = law;
+        ofPanels(law, m_system.cloth[std::size_t(place)]);
     }
 
-    void cut(const PanelCut& now, PanelCut& held)
+    // What the solver of panels looks at.
+    template <typename T>
+    void ofPanels(const T& now, T& held)
     {
         m_allRods |= held != now;
         held = now;

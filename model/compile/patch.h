@@ -29,7 +29,8 @@ struct Patch
     At<LinkStuff> linkStuff;
     At<Key> panels;                             // their materials
     std::vector<std::pair<Key, ClothLaw>> laws; // of materials, after those above
-    At<PanelCut> cuts;                          // by place in System::membranes
+    At<PanelCut> cuts;                          // by place in System::membranes, as are
+    At<double> factors;                         // ElementFactors::stiffness
 
     std::optional<Winds> winds;
     std::optional<std::vector<Obstacle>> obstacles;

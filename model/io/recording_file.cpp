@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 // The first line of a file of each version, the newest last. What came since a version is marked at
 // its field (Since).
 constexpr std::array<std::string_view, recordingVersion> firstLines{
-    "RIPSTOP-RUN 1\n", "RIPSTOP-RUN 2\n", "RIPSTOP-RUN 3\n", "RIPSTOP-RUN 4\n", "RIPSTOP-RUN 5\n"};
+    "RIPSTOP-RUN 1\n", "RIPSTOP-RUN 2\n", "RIPSTOP-RUN 3\n",
+    "RIPSTOP-RUN 4\n", "RIPSTOP-RUN 5\n", "RIPSTOP-RUN 6\n"};
 constexpr std::string_view firstLine = firstLines.back();
 static_assert(std::all_of(firstLines.begin(), firstLines.end(),
                           [](std::string_view line) { return line.size() == firstLine.size(); }));

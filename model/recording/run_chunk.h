@@ -17,7 +17,7 @@ namespace ripstop {
 
 // Of files. A field of a state or a frame that is new since the last release is marked with the
 // next number (Since), so that older stretches can be read.
-inline constexpr int recordingVersion = 5;
+inline constexpr int recordingVersion = 6;
 
 struct KeptFrame
 {

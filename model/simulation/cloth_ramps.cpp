@@ -1,6 +1,6 @@
-// Laws and cuts are noted by their keys and compared after the edit. How far the cloth has to go is
-// found panel by panel: the strain that the same pull would have under the law to come, or what the
-// cut shrinks by.
+// Laws, cuts and factors are noted by their keys and compared after the edit. How far the cloth has
+// to go is found panel by panel: the strain that the same pull would have under the law to come, or
+// what the cut shrinks by.
 #include "simulation/cloth_ramps.h"
 
 #include "base/key_index.h"
@@ -107,6 +107,7 @@ NotedCloth::NotedCloth(const System& system, const State& state)
     : m_time(state.time)
     , m_lawRamps(state.clothRamps)
     , m_cutRamps(state.panelRamps)
+    , m_factorRamps(state.factorRamps)
 {
     RampFinder lawRampOf(m_lawRamps, &ClothRamp::material);
     for (std::size_t i = 0; i < system.cloth.size(); ++i) {
@@ -117,13 +118,18 @@ NotedCloth::NotedCloth(const System& system, const State& state)
     }
     m_panels.reserve(system.membranes.size());
     RampFinder cutRampOf(m_cutRamps, &PanelRamp::panel);
+    RampFinder factorRampOf(m_factorRamps, &FactorRamp::panel);
     for (const Membrane& membrane : system.membranes) {
         const auto panel = std::size_t(membrane.panel);
         const Key key = system.panelKey[panel];
         const PanelRamp* ramp = cutRampOf(key);
+        const FactorRamp* factorRamp = factorRampOf(key);
         m_panels.push_back(
             {key, system.materialAir[std::size_t(system.panels[panel].air)].key,
              ramp ? cutBetween(ramp->from, ramp->to, shareOf(*ramp, m_time)) : PanelCut(membrane),
+             factorRamp
+                 ? stiffnessBetween(factorRamp->from, factorRamp->to, shareOf(*factorRamp, m_time))
+                 : membrane.factors.stiffness,
              cornersOf(system, membrane, state.position)});
     }
 }
@@ -160,32 +166,64 @@ std::vector<ClothRamp> NotedCloth::lawRampsTo(const System& edited, RampWay& way
     return ramps;
 }
 
-std::vector<PanelRamp> NotedCloth::cutRampsTo(const System& edited, RampWay& way) const
+void NotedCloth::addCutRamp(const Membrane& edited, const Panel& noted, const PanelRamp* underWay,
+                            std::vector<PanelRamp>& ramps, RampWay& way) const
 {
+    const PanelCut& to = edited;
+    if (underWay && underWay->to == to) {
+        ramps.push_back(*underWay);
+    } else if (noted.cut != to) {
+        ramps.push_back({noted.key, m_time, 0.0, noted.cut, to});
+        way.strain = std::max(way.strain, CutWay(noted.cut, to).strain());
+        for (const Vec3& corner : noted.corners)
+            way.box.extend(corner);
+    }
+}
+
+void NotedCloth::addFactorRamp(const Membrane& edited, const Panel& noted,
+                               const FactorRamp* underWay, std::vector<FactorRamp>& ramps,
+                               RampWay& way) const
+{
+    const double to = edited.factors.stiffness;
+    if (underWay && underWay->to == to) {
+        ramps.push_back(*underWay);
+        return;
+    }
+    if (noted.factor == to)
+        return;
+    ramps.push_back({noted.key, m_time, 0.0, noted.factor, to});
+    const auto law = std::ranges::find(m_laws, noted.material, &Law::material);
+    if (law == m_laws.end())
+        return;
+    const Vec3 strain = strainAt(Membrane{noted.cut, 0, {}}, noted.corners);
+    way.strain =
+        std::max(way.strain, shrinkage(law->law.times(noted.factor), law->law.times(to), strain));
+    for (const Vec3& corner : noted.corners)
+        way.box.extend(corner);
+}
+
+void NotedCloth::panelRampsTo(const System& edited, State& state, RampWay& way) const
+{
+    state.panelRamps.clear();
+    state.factorRamps.clear();
+    if (edited.rampTime == 0.0)
+        return;
     KeyIndex index(m_panels.size());
     for (std::size_t i = 0; i < m_panels.size(); ++i)
         index.add(m_panels[i].key, int(i));
-    std::vector<PanelRamp> ramps;
-    RampFinder rampOf(m_cutRamps, &PanelRamp::panel);
+    RampFinder cutRampOf(m_cutRamps, &PanelRamp::panel);
+    RampFinder factorRampOf(m_factorRamps, &FactorRamp::panel);
     for (const Membrane& membrane : edited.membranes) {
         const Key key = edited.panelKey[std::size_t(membrane.panel)];
         const int place = index(key);
         if (place < 0)
             continue;
         const Panel& noted = m_panels[std::size_t(place)];
-        const PanelCut& to = membrane;
-        const PanelRamp* ramp = rampOf(key);
-        if (ramp && ramp->to == to) {
-            ramps.push_back(*ramp);
-        } else if (noted.cut != to && edited.rampTime > 0.0) {
-            ramps.push_back({key, m_time, 0.0, noted.cut, to});
-            way.strain = std::max(way.strain, CutWay(noted.cut, to).strain());
-            for (const Vec3& corner : noted.corners)
-                way.box.extend(corner);
-        }
+        addCutRamp(membrane, noted, cutRampOf(key), state.panelRamps, way);
+        addFactorRamp(membrane, noted, factorRampOf(key), state.factorRamps, way);
     }
-    std::ranges::sort(ramps, {}, &PanelRamp::panel);
-    return ramps;
+    std::ranges::sort(state.panelRamps, {}, &PanelRamp::panel);
+    std::ranges::sort(state.factorRamps, {}, &FactorRamp::panel);
 }
 
 void addCloth(const System& system, const State& state, double time, Patch& patch)
@@ -196,13 +234,17 @@ void addCloth(const System& system, const State& state, double time, Patch& patc
         if (const ClothRamp* ramp = lawRampOf(key))
             patch.laws.emplace_back(key, lawBetween(ramp->from, ramp->to, shareOf(*ramp, time)));
     }
-    if (state.panelRamps.empty())
+    if (state.panelRamps.empty() && state.factorRamps.empty())
         return;
     RampFinder cutRampOf(state.panelRamps, &PanelRamp::panel);
+    RampFinder factorRampOf(state.factorRamps, &FactorRamp::panel);
     for (std::size_t i = 0; i < system.membranes.size(); ++i) {
         const Key key = system.panelKey[std::size_t(system.membranes[i].panel)];
         if (const PanelRamp* ramp = cutRampOf(key))
             patch.cuts.emplace_back(int(i), cutBetween(ramp->from, ramp->to, shareOf(*ramp, time)));
+        if (const FactorRamp* ramp = factorRampOf(key))
+            patch.factors.emplace_back(
+                int(i), stiffnessBetween(ramp->from, ramp->to, shareOf(*ramp, time)));
     }
 }
 

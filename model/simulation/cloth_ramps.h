@@ -1,5 +1,6 @@
-// Edits in flight of panels that carry the pull of a fabric: the law of a material and the cut of a
-// panel go over into what was typed as numbers of links do (ramp_curve.h).
+// Edits in flight of panels that carry the pull of a fabric: the law of a material, and the cut and
+// the stiffness factor of a panel, go over into what was typed as numbers of links do
+// (ramp_curve.h).
 //
 // A law goes by its compliances, so that what hangs on the cloth goes evenly: its matrix is
 //
@@ -16,6 +17,9 @@
 // All that U can be is positive, and so a panel has an area all the way. Warps run both ways: a
 // grain of 170 degrees is 10 degrees from one of 0.
 //
+// A factor goes by its inverse, as the stiffness of a spring does. That of the strength counts at
+// once, as tear rules do.
+//
 // Key: materials and panels are known by theirs, so that an edit may renumber them. A panel that
 // gets another material has the law of that one at once.
 #pragma once
@@ -30,7 +34,7 @@
 
 namespace ripstop {
 
-// Laws and cuts of all elastic panels at a moment, noted before an edit.
+// Laws, cuts and factors of all elastic panels at a moment, noted before an edit.
 class NotedCloth
 {
 public:
@@ -39,7 +43,7 @@ public:
 
     // What is under way after the edit; what begins has no duration yet, and lengthens the way.
     std::vector<ClothRamp> lawRampsTo(const System& edited, RampWay& way) const;
-    std::vector<PanelRamp> cutRampsTo(const System& edited, RampWay& way) const;
+    void panelRampsTo(const System& edited, State& state, RampWay& way) const;
 
 private:
     struct Law
@@ -52,14 +56,21 @@ private:
         Key key;
         Key material;
         PanelCut cut;
+        double factor;               // 1, of the stiffness
         std::array<Vec3, 3> corners; // m
     };
+
+    void addCutRamp(const Membrane& edited, const Panel& noted, const PanelRamp* underWay,
+                    std::vector<PanelRamp>& ramps, RampWay& way) const;
+    void addFactorRamp(const Membrane& edited, const Panel& noted, const FactorRamp* underWay,
+                       std::vector<FactorRamp>& ramps, RampWay& way) const;
 
     double m_time; // s
     std::vector<Law> m_laws;
     std::vector<Panel> m_panels; // [membranes]
     std::vector<ClothRamp> m_lawRamps;
     std::vector<PanelRamp> m_cutRamps;
+    std::vector<FactorRamp> m_factorRamps;
 };
 
 // The law and the cut that are a share of the way from one to the other; at 1 the other itself.

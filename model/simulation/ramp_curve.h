@@ -38,6 +38,13 @@ double shareOf(const R& ramp, double time)
 
 inline double between(double from, double to, double share) { return from + share * (to - from); }
 
+// By its inverse, so that what hangs on it goes evenly; where one of the two is none, by itself.
+inline double stiffnessBetween(double from, double to, double share)
+{
+    return from > 0.0 && to > 0.0 ? 1.0 / between(1.0 / from, 1.0 / to, share)
+                                  : between(from, to, share);
+}
+
 // What is edited at once, and how far it has to go.
 struct RampWay
 {

@@ -36,13 +36,6 @@ Ramp::Numbers numbersOf(const System& system, const LinkPlace& link)
     return {spring.restLength, spring.stiffness, spring.damping, spring.tear.limit};
 }
 
-// So that what hangs on the spring goes evenly.
-double stiffnessBetween(double from, double to, double share)
-{
-    return from > 0.0 && to > 0.0 ? 1.0 / between(1.0 / from, 1.0 / to, share)
-                                  : between(from, to, share);
-}
-
 Ramp::Numbers numbersAt(const Ramp& ramp, LinkKind kind, double time)
 {
     if (hasEnded(ramp, time))
@@ -101,6 +94,7 @@ void forEachList(S& state, const Visit& visit)
     visit(state.ramps);
     visit(state.clothRamps);
     visit(state.panelRamps);
+    visit(state.factorRamps);
 }
 
 } // namespace
@@ -176,7 +170,7 @@ void NotedNumbers::rampTo(const System& edited, State& state) const
     RampWay way;
     state.ramps = linkRampsTo(edited, way);
     state.clothRamps = m_cloth.lawRampsTo(edited, way);
-    state.panelRamps = m_cloth.cutRampsTo(edited, way);
+    m_cloth.panelRampsTo(edited, state, way);
     const double lasts = way.lastsFor(edited.rampTime);
     forEachList(state, [lasts](auto& ramps) {
         for (auto& ramp : ramps)

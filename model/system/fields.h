@@ -99,6 +99,11 @@ inline constexpr auto fieldsOf<PanelRamp> =
            &PanelRamp::to>;
 
 template <>
+inline constexpr auto fieldsOf<FactorRamp> =
+    fields<FactorRamp, &FactorRamp::panel, &FactorRamp::began, &FactorRamp::lasts,
+           &FactorRamp::from, &FactorRamp::to>;
+
+template <>
 inline constexpr auto fieldsOf<Work> = fields<Work, &Work::air, &Work::hands, &Work::damping,
                                               &Work::contact, &Work::tearing, &Work::residual>;
 
@@ -132,7 +137,8 @@ inline constexpr auto fieldsOf<State> = fields<State,
     field<&State::work, Since{3}>,
     field<&State::ramps, Since{4}>,
     field<&State::clothRamps, Since{5}>,
-    field<&State::panelRamps, Since{5}>>;
+    field<&State::panelRamps, Since{5}>,
+    field<&State::factorRamps, Since{6}>>;
 // clang-format on
 
 // The serials and what goes with them say when a solver looks again: two systems may be equal

@@ -87,8 +87,8 @@ struct Ramp
     friend bool operator==(const Ramp&, const Ramp&) = default;
 };
 
-// The same of the law of a material's elastic panels, and of the cut of one of them
-// (simulation/cloth_ramps.h).
+// The same of the law of a material's elastic panels, and of the cut and the stiffness factor of
+// one of them (simulation/cloth_ramps.h).
 struct ClothRamp
 {
     Key material;
@@ -109,6 +109,17 @@ struct PanelRamp
     PanelCut to;
 
     friend bool operator==(const PanelRamp&, const PanelRamp&) = default;
+};
+
+struct FactorRamp
+{
+    Key panel;
+    double began; // s
+    double lasts; // s
+    double from;  // ElementFactors::stiffness
+    double to;
+
+    friend bool operator==(const FactorRamp&, const FactorRamp&) = default;
 };
 
 struct State
@@ -161,9 +172,10 @@ struct State
     std::vector<TearHold> tearHolds;
 
     Work work;
-    std::vector<Ramp> ramps; // in ascending order of key, as are the next two
+    std::vector<Ramp> ramps; // in ascending order of key, as are the next three
     std::vector<ClothRamp> clothRamps;
     std::vector<PanelRamp> panelRamps;
+    std::vector<FactorRamp> factorRamps;
 
     friend bool operator==(const State&, const State&) = default;
 };

@@ -199,7 +199,7 @@ void fuzzRecording(std::string_view bytes)
 
 void fuzzStretches(std::string_view bytes)
 {
-    RecordingBlocks blocks{"RIPSTOP-RUN 5\n", {}};
+    RecordingBlocks blocks{"RIPSTOP-RUN 6\n", {}};
     std::string text;
     StretchParts stretch;
     constexpr std::size_t headSize = 1 + sizeof(std::uint32_t);

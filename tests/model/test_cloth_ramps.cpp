@@ -314,6 +314,29 @@ private slots:
         QVERIFY(simulation.system().membranes == (*compile(longer))->membranes);
     }
 
+    // A factor that is painted while it hangs goes over as a stiffness does: halfway from 1 to 1/16
+    // the compliance is the mean of 1 and 16, and what hangs is let down, not dropped.
+    void factorsGoOver()
+    {
+        const Scene scene = hungSheet(10.0);
+        Simulation simulation(*compile(scene));
+        runFor(simulation, 0.5);
+        Scene painted = scene;
+        for (Panel& panel : firstOf<Part>(painted).panels)
+            panel.stiffnessFactor = 1.0 / 16.0;
+        edit(simulation, painted);
+        const auto factor = [&] { return simulation.system().membranes[0].factors.stiffness; };
+        QCOMPARE(simulation.state().factorRamps.size(), simulation.system().membranes.size());
+        QCOMPARE(factor(), 1.0);
+        runFor(simulation, 0.5 * simulation.state().factorRamps[0].lasts);
+        QVERIFY2(isNear(factor(), 2.0 / 17.0, 0.02), told(factor(), 2.0 / 17.0));
+        const Extremes seen = fly(simulation, 1.0);
+        QVERIFY(simulation.state().factorRamps.empty());
+        QCOMPARE(factor(), 1.0 / 16.0);
+        const double expected = strainUnder(weight(scene), stiff / 16.0); // of the upper edge
+        QVERIFY2(seen.strain < 1.5 * expected, told(seen.strain, expected));
+    }
+
     // Between pins nothing moves: what the hand brings is the change of the energy in the cloth,
     // A (C1 - C0) e^2 / 2 for a strain e along the warp, and nothing is left over.
     void ledgerShowsWhatTheHandBrought()
@@ -359,8 +382,10 @@ private slots:
         Scene soft = withStiffness(scene, 500.0);
         for (Panel& panel : firstOf<Part>(soft).panels)
             panel.restAB *= 0.999;
+        firstOf<Part>(soft).panels[3].stiffnessFactor = 0.5;
         checkEditIsRecorded(scene, soft, [](const State& state) {
-            return !state.clothRamps.empty() && !state.panelRamps.empty();
+            return !state.clothRamps.empty() && !state.panelRamps.empty()
+                   && !state.factorRamps.empty();
         });
     }
 

@@ -294,9 +294,11 @@ private slots:
         QCOMPARE(stateOf(*read, *read->frames[1]).work.residual, -0.5);
 
         // frames have no fields since version 4; a start has arrays of velocities and of ramps, and
-        // since version 5 those of panels that wait and of ramps of laws and of cuts
+        // since version 5 those of panels that wait and of ramps of laws and of cuts, since version
+        // 6 of factors
         const std::size_t after = sizeof(std::uint64_t) + 2 * sizeof(std::uint64_t)
-                                  + sizeof(std::uint64_t) + 3 * sizeof(std::uint64_t);
+                                  + sizeof(std::uint64_t) + 3 * sizeof(std::uint64_t)
+                                  + sizeof(std::uint64_t) + sizeof(std::uint64_t);
         const std::size_t ledger = sizeof(std::uint64_t) + 3 * sizeof(Work);
         const auto third = chunkOf(std::string_view(bytes).substr(0, bytes.size() - after));
         QVERIFY(third);

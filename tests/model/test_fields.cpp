@@ -210,7 +210,8 @@ private slots:
         }
     }
 
-    // Every field of a state is in a stretch. One of version 4 has neither the panels that wait at
+    // Every field of a state is in a stretch. One of version 5 has no ramps of factors, one of
+    // version 4 has neither the panels that wait at
     // a tear nor ramps of cloth, one of version 3 neither what BDF2 looks back to nor any ramps,
     // and one of version 2 has no work either.
     void recorded()
@@ -225,12 +226,20 @@ private slots:
         QVERIFY(read);
         QCOMPARE(named(differingField(*read->start, state)), QString());
 
+        ByteWriter sixth({}, 6);
+        sixth(std::uint64_t(1));
+        sixth(state.factorRamps);
+        const std::string till5 = now.substr(0, now.size() - sixth.take().size());
+        const std::optional<RunChunk> beforeFactors = chunkOf(till5);
+        QVERIFY(beforeFactors);
+        QCOMPARE(named(differingField(*beforeFactors->start, state)), QString("factorRamps"));
+
         ByteWriter fifth({}, 5);
         fifth(std::uint64_t(1));
         fifth(state.panelHold);
         fifth(state.clothRamps);
         fifth(state.panelRamps);
-        const std::string till4 = now.substr(0, now.size() - fifth.take().size());
+        const std::string till4 = till5.substr(0, till5.size() - fifth.take().size());
         const std::optional<RunChunk> later = chunkOf(till4);
         QVERIFY(later);
         QCOMPARE(named(differingField(*later->start, state)), QString("panelHold"));

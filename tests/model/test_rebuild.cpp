@@ -4,6 +4,7 @@
 // again with the same and with each other parameter, where what was tuned by hand must stay; then
 // what is lost is counted, and parts are detached. after() checks undo for each edit. A new
 // builder is covered without a change here.
+#include "author/chosen_materials.h"
 #include "author/rebuild.h"
 #include "check/check.h"
 #include "io/scene_file.h"
@@ -71,7 +72,7 @@ Scene inserting(const Scene& scene, const char* name, InsertWish wish = {},
 
 Scene changing(const Scene& scene, const Parameters& given, std::size_t index = 0)
 {
-    Parameters parameters = part(scene, index).parameters;
+    Parameters parameters = parametersNow(scene, partId(scene, index));
     for (const auto& [key, value] : given)
         parameters[key] = value;
     const Result<Rebuilt> again = rebuilt(scene, partId(scene, index), parameters);
@@ -365,6 +366,14 @@ private slots:
         const double more = massOf(longer) - massOf(scene);
         const double atFirst = massOf(asBought) - massOf(first);
         QVERIFY(std::abs(more - atFirst - 5.0 * (density - densityAtFirst)) < 1e-12);
+
+        // its parameters say what it is made of by now, and so the line of before can be chosen
+        const Parameters said = parametersNow(scene, partId(scene));
+        QCOMPARE(said.at("cord"), 5.0);
+        QCOMPARE(said.at("cloth"), 2.0);
+        const Scene back = changing(scene, {{"cord", 3}});
+        QCOMPARE(*itemNamed<Material>(back, "line")->linearDensity, densityAtFirst);
+        QVERIFY(std::abs(massOf(back) - massOf(first)) < 1e-12);
 
         // another line, and the kite is that which is built with it
         const Scene other = changing(scene, {{"cord", 1}});
