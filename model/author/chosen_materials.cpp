@@ -50,10 +50,9 @@ Parameters parametersNow(const Scene& scene, Id part)
         const auto chosen = std::size_t(now[std::string(parameter.key)]);
         if (chosen >= parameter.choices.size())
             continue;
-        const Preset* present =
-            presentOf(parameter.choices[chosen], *built, scene, counterparts);
-        const auto offered = present ? std::ranges::find(parameter.choices, present->name)
-                                     : parameter.choices.end();
+        const Preset* present = presentOf(parameter.choices[chosen], *built, scene, counterparts);
+        const auto offered =
+            present ? std::ranges::find(parameter.choices, present->name) : parameter.choices.end();
         if (offered != parameter.choices.end())
             now[std::string(parameter.key)] = double(offered - parameter.choices.begin());
     }

@@ -4,7 +4,7 @@
 // with the flexural rigidity EI of a spar, or rigid, with every particle pinned. The flag is tied
 // to it by short lines, at its two corners or at every row. With c by r cells and l segments of the
 // pole below the flag: (c+1)(r+1) + r + l + 1 particles, 2 c r panels. A cloth of the library is
-// carried by these panels in place of springs (craft_materials.h).
+// carried by these panels in place of springs, with a hem of rods all around (craft_materials.h).
 #include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/network.h"
@@ -149,6 +149,25 @@ std::vector<std::vector<Id>> addFlag(Network& network, const Parameters& p,
     return nodes;
 }
 
+// All around, which pulls and does not push; returns its material.
+Id addHem(Scene& scene, Network& network, const std::vector<std::vector<Id>>& nodes, double density)
+{
+    Material hem;
+    hem.name = "hem";
+    hem.color = "#9d0f1a";
+    const Id material = addItem(scene, hem);
+    const auto sew = [&](Id from, Id to) { network.rod(from, to, material, Resists::Tension); };
+    for (std::size_t row = 1; row < nodes.size(); ++row) {
+        sew(nodes[row - 1].front(), nodes[row].front());
+        sew(nodes[row - 1].back(), nodes[row].back());
+    }
+    for (const auto& row : {nodes.front(), nodes.back()})
+        for (std::size_t column = 1; column < row.size(); ++column)
+            sew(row[column - 1], row[column]);
+    network.addLinkMass(material, density);
+    return material;
+}
+
 Result<Scene> buildPoleFlag(const Parameters& p)
 {
     Scene scene;
@@ -170,13 +189,15 @@ Result<Scene> buildPoleFlag(const Parameters& p)
     const auto flag = addFlag(network, p, materials, lower);
     const bool isOfSprings = isIdeal(p, "cloth");
     network.addFabricMass(clothDensity(p, flagChoices, "density"));
+    CraftMaterials craft;
+    if (!isOfSprings)
+        craft.hems = {addHem(scene, network, flag, hemDensity(p, flagChoices))};
     const std::vector<Id> pole = addPole(network, p, materials.pole);
     for (int row = 0; row <= rows; ++row)
         if (p.at("tied") > 0.0 || row == 0 || row == rows)
             network.rod(pole[pole.size() - 1 - std::size_t(rows - row)], flag[std::size_t(row)][0],
                         materials.ties, Resists::Tension);
 
-    CraftMaterials craft;
     craft.cloth = {materials.cloth};
     craft.seams = {materials.structural, materials.shear};
     makeOf(p, craft, scene, network, flagChoices);
