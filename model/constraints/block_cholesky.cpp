@@ -2,22 +2,31 @@
 //
 // analyze() once for a pattern: the order of elimination, the rows of each column with its fill
 // (which a column hands on to its parent in the elimination tree), and the block that every product
-// goes to. factorize() in each iteration: column after column, it factorises the block on the
-// diagonal, divides the blocks below by it and subtracts their products along the list. solve()
-// goes forward through the columns and back again. Searching and memory are left to the first
-// stage, so that the others are plain loops in a fixed order.
+// goes to. factorize() in each iteration: column after column, each takes the products of the
+// earlier ones along the list, factorises its block on the diagonal and divides those below by it.
+// Threads take shares of columns in their order and wait for earlier columns where they must; far
+// down in the elimination they hardly do, and further up each works while the other ends the column
+// before. solve() goes forward through the columns and back again. Searching and memory are left to
+// the first stage, so that the others are plain loops in a fixed order.
 #include "constraints/block_cholesky.h"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <numeric>
+#include <thread>
 
 namespace ripstop {
 namespace {
 
 using Block = BlockCholesky::Block;
+
+constexpr std::size_t productsOfShare = 256;     // of blocks; some microseconds
+constexpr std::size_t productsOfThreads = 50000; // below which handing out takes too long
+constexpr int patientLooks = 2000;               // some microseconds
 
 std::vector<std::uint32_t> eliminationOrder(std::size_t nodes,
                                             std::span<const std::pair<int, int>> pairs)
@@ -91,6 +100,25 @@ RIPSTOP_INLINE void subtractProducts(Block* left, std::size_t count, const Block
         for (int c = 0; c < 3; ++c)
             pack(into.column[c]) -= x * r[0][c] + y * r[1][c] + z * r[2][c];
     }
+}
+
+RIPSTOP_INLINE void take(std::span<const BlockCholesky::Source> sources,
+                         const std::uint32_t* target, Block* block)
+{
+    for (const BlockCholesky::Source& source : sources) {
+        Block* const left = block + source.block;
+        subtractProducts(left, source.count, *left, target + source.firstTarget, block);
+    }
+}
+
+// The column from its diagonal on, when all products have been taken.
+RIPSTOP_INLINE bool finish(Block* diagonal, Block* last)
+{
+    if (!factorizeBlock(*diagonal))
+        return false;
+    for (Block* b = diagonal + 1; b < last; ++b)
+        divideByTransposed(*b, *diagonal);
+    return true;
 }
 
 RIPSTOP_INLINE void forward(const Block& l, double* x)
@@ -192,31 +220,133 @@ void BlockCholesky::analyze(std::size_t nodes, std::span<const std::pair<int, in
                 m_target.push_back(blockAt(rows[k][i], rows[k][j]));
     m_block.assign(m_row.size(), Block{});
     m_x.resize(nodes);
+    listSources();
+    shareOut();
 }
 
-void BlockCholesky::setZero() { std::fill(m_block.begin(), m_block.end(), Block{}); }
-
-bool BlockCholesky::factorize()
+void BlockCholesky::setZero(ThreadPool& pool)
 {
-    return factorize(m_place.size(), m_start.data(), m_target.data(), m_block.data());
+    pool.parallelFor(m_block.size(), [this](std::size_t first, std::size_t last) {
+        std::fill(m_block.begin() + std::ptrdiff_t(first), m_block.begin() + std::ptrdiff_t(last),
+                  Block{});
+    });
+}
+
+// By the column that takes, each from the first column to the last.
+void BlockCholesky::listSources()
+{
+    const std::size_t nodes = m_place.size();
+    m_sources.assign(nodes + 1, 0);
+    for (std::size_t k = 0; k < nodes; ++k)
+        for (std::uint32_t b = m_start[k] + 1; b < m_start[k + 1]; ++b)
+            ++m_sources[m_row[b] + 1];
+    std::partial_sum(m_sources.begin(), m_sources.end(), m_sources.begin());
+    m_source.resize(m_sources.back());
+    std::vector<std::uint32_t> next(m_sources.begin(), m_sources.end() - 1);
+    std::size_t target = 0;
+    for (std::size_t k = 0; k < nodes; ++k)
+        for (std::uint32_t b = m_start[k] + 1; b < m_start[k + 1]; ++b) {
+            const std::uint32_t count = m_start[k + 1] - b;
+            m_source[next[m_row[b]]++] = {std::uint32_t(k), b, count, target};
+            target += count;
+        }
+}
+
+// Columns that follow each other until they are worth taking.
+void BlockCholesky::shareOut()
+{
+    m_share.assign(1, 0);
+    std::size_t products = 0;
+    for (std::uint32_t k = 0; k < m_place.size(); ++k) {
+        for (std::uint32_t s = m_sources[k]; s < m_sources[k + 1]; ++s)
+            products += m_source[s].count;
+        if (products < productsOfShare && k + 1 < m_place.size())
+            continue;
+        m_share.push_back(k + 1);
+        products = 0;
+    }
+    m_done.assign(m_place.size(), 0);
+    m_round = 0;
 }
 
 RIPSTOP_CLONES
-bool BlockCholesky::factorize(std::size_t nodes, const std::uint32_t* start,
-                              const std::uint32_t* target, Block* block)
+void BlockCholesky::takeProducts(std::span<const Source> sources)
 {
-    for (std::size_t k = 0; k < nodes; ++k) {
-        Block* const diagonal = block + start[k];
-        Block* const last = block + start[k + 1];
-        if (!factorizeBlock(*diagonal))
+    take(sources, m_target.data(), m_block.data());
+}
+
+RIPSTOP_CLONES
+bool BlockCholesky::finishColumn(std::size_t column)
+{
+    return finish(m_block.data() + m_start[column], m_block.data() + m_start[column + 1]);
+}
+
+RIPSTOP_CLONES
+bool BlockCholesky::factorizeAlone()
+{
+    for (std::size_t k = 0; k < m_place.size(); ++k) {
+        take(sourcesOf(k), m_target.data(), m_block.data());
+        if (!finish(m_block.data() + m_start[k], m_block.data() + m_start[k + 1]))
             return false;
-        for (Block* b = diagonal + 1; b < last; ++b)
-            divideByTransposed(*b, *diagonal);
-        for (Block* b = diagonal + 1; b < last; ++b) {
-            const auto count = std::size_t(last - b);
-            subtractProducts(b, count, *b, target, block);
-            target += count;
+    }
+    return true;
+}
+
+bool BlockCholesky::factorize(ThreadPool& pool)
+{
+    if (pool.threads() == 1 || products() < productsOfThreads)
+        return factorizeAlone();
+    ++m_round;
+    m_nextShare = 0;
+    m_hasFailed = 0;
+    pool.onEachThread([this](int) { factorizeShares(); });
+    return m_hasFailed == 0;
+}
+
+// Shares are taken in their order, so that who waits for a column waits for a thread that works on
+// it, or for one that this one waits for in turn.
+void BlockCholesky::factorizeShares()
+{
+    std::atomic_ref next(m_nextShare);
+    for (std::uint32_t share;
+         (share = next.fetch_add(1, std::memory_order_relaxed)) + 1 < m_share.size();)
+        for (std::uint32_t k = m_share[share]; k < m_share[share + 1]; ++k) {
+            if (!factorizeWithOthers(k)) {
+                std::atomic_ref(m_hasFailed).store(1, std::memory_order_relaxed);
+                return;
+            }
+            std::atomic_ref(m_done[k]).store(m_round, std::memory_order_release);
         }
+}
+
+bool BlockCholesky::factorizeWithOthers(std::size_t column)
+{
+    std::span<const Source> sources = sourcesOf(column);
+    while (!sources.empty()) {
+        if (!await(sources.front().column))
+            return false;
+        std::size_t ready = 1;
+        while (ready < sources.size() && isDone(sources[ready].column))
+            ++ready;
+        takeProducts(sources.first(ready));
+        sources = sources.subspan(ready);
+    }
+    return finishColumn(column);
+}
+
+bool BlockCholesky::isDone(std::uint32_t column)
+{
+    return std::atomic_ref(m_done[column]).load(std::memory_order_acquire) == m_round;
+}
+
+// Returns when the column is there, with whether it will ever be.
+bool BlockCholesky::await(std::uint32_t column)
+{
+    for (int looks = 0; !isDone(column); ++looks) {
+        if (std::atomic_ref(m_hasFailed).load(std::memory_order_relaxed) != 0)
+            return false;
+        if (looks > patientLooks) // its thread may not be running
+            std::this_thread::yield();
     }
     return true;
 }

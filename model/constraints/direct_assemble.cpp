@@ -13,6 +13,8 @@
 namespace ripstop {
 namespace {
 
+constexpr std::size_t panelsOfThreads = 2000; // fewer are not worth handing out
+
 RIPSTOP_INLINE void add(BlockCholesky::Block& sum, const BlockCholesky::Block& value)
 {
     for (int c = 0; c < 3; ++c)
@@ -25,16 +27,6 @@ RIPSTOP_INLINE void add(BlockCholesky::Block& sum, const BlockCholesky::Block& v
 // bars and panels of which the first row is in it.
 double DirectSolver::assemble(ThreadPool& pool)
 {
-    const auto addPanels = [&](std::size_t first, std::size_t last) {
-        TripleBlock block;
-        for (std::size_t i = first; i < last; ++i) {
-            const ElasticPanel& panel = m_panels.panels()[i];
-            if (panel.gone)
-                continue;
-            m_panels.fillBlock(i, block);
-            addTriple(panel, block);
-        }
-    };
     double twice = 0.0;
     if (m_iterates) {
         m_grid.setZero(pool);
@@ -45,20 +37,46 @@ double DirectSolver::assemble(ThreadPool& pool)
         stripes.forEachByColour(pool, [&](const Stripe& stripe) {
             const std::size_t s = stripes.placeOf(stripe);
             m_energyOf[s] = addBars(m_barsOf[s], m_barsOf[s + 1]);
-            addPanels(m_panelsOf[s], m_panelsOf[s + 1]);
+            addPanels(m_panelsOf[s], m_panelsOf[s + 1], allNodes());
         });
         twice += std::accumulate(m_energyOf.begin(), m_energyOf.end(), 0.0);
     } else {
-        m_factor.setZero();
+        m_factor.setZero(pool);
         twice += addMasses(0, nodes());
         twice += addBars(0, m_bars.size());
-        addPanels(0, m_panels.panels().size());
+        addPanelsByNodes(pool);
     }
     for (const SparBend& bend : m_bends.bends())
         if (!bend.gone)
-            addTriple(bend, m_bends.block(bend));
+            addTriple(bend, m_bends.block(bend), allNodes());
     addContacts();
     return 0.5 * (twice + m_panels.energy() + m_bends.energy() + m_contacts.energy());
+}
+
+// Each thread goes over all panels and adds what concerns its own nodes, so that what comes
+// together there does so in the order of the panels, by any number of threads.
+void DirectSolver::addPanelsByNodes(ThreadPool& pool)
+{
+    const std::size_t panels = m_panels.panels().size();
+    const std::size_t shares =
+        panels < panelsOfThreads ? 1 : std::min(std::size_t(pool.threads()), nodes());
+    pool.forEach(shares, [&](std::size_t share) {
+        addPanels(0, panels,
+                  {std::uint32_t(nodes() * share / shares),
+                   std::uint32_t(nodes() * (share + 1) / shares)});
+    });
+}
+
+void DirectSolver::addPanels(std::size_t first, std::size_t last, const NodeRange& to)
+{
+    TripleBlock block;
+    for (std::size_t i = first; i < last; ++i) {
+        const ElasticPanel& panel = m_panels.panels()[i];
+        if (panel.gone || !std::ranges::any_of(panel.row, [&](auto row) { return to.has(row); }))
+            continue;
+        m_panels.fillBlock(i, block);
+        addTriple(panel, block, to);
+    }
 }
 
 RIPSTOP_CLONES
@@ -135,40 +153,41 @@ void DirectSolver::addContacts()
     });
 }
 
-void DirectSolver::addTriple(const Triple& triple, const TripleBlock& block)
+// Pairs belong to the lower of their nodes.
+void DirectSolver::addTriple(const Triple& triple, const TripleBlock& block, const NodeRange& to)
 {
     if (m_guides.empty() || m_iterates)
-        return addFreeTriple(triple, block);
+        return addFreeTriple(triple, block, to);
     const std::array<Mat3, 3> free{onGuides(triple.row[0]), onGuides(triple.row[1]),
                                    onGuides(triple.row[2])};
     TripleBlock kept;
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto [from, to] = sidesOfTriple[k];
+        const auto [one, other] = sidesOfTriple[k];
         const auto& pull = block.pull[k].v;
         const Vec3 left = free[k] * Vec3(pull[0], pull[1], pull[2]);
         kept.corner[k] = blockOf(free[k] * matrixOf(block.corner[k]) * free[k]);
-        kept.pair[k] = blockOf(free[from] * matrixOf(block.pair[k]) * free[to]);
+        kept.pair[k] = blockOf(free[one] * matrixOf(block.pair[k]) * free[other]);
         kept.pull[k] = {{left[0], left[1], left[2], 0.0}};
     }
-    addFreeTriple(triple, kept);
+    addFreeTriple(triple, kept, to);
 }
 
 RIPSTOP_CLONES
-void DirectSolver::addFreeTriple(const Triple& triple, const TripleBlock& block)
+void DirectSolver::addFreeTriple(const Triple& triple, const TripleBlock& block,
+                                 const NodeRange& to)
 {
-    const std::size_t count = m_mass.size();
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t from = triple.row[sidesOfTriple[k].first];
-        const std::uint32_t to = triple.row[sidesOfTriple[k].second];
-        if (from < count) {
-            add(diagonal(from), block.corner[k]);
-            pack(m_move[from].v) += pack(block.pull[k].v);
+        const std::uint32_t one = triple.row[sidesOfTriple[k].first];
+        const std::uint32_t other = triple.row[sidesOfTriple[k].second];
+        if (to.has(one)) {
+            add(diagonal(one), block.corner[k]);
+            pack(m_move[one].v) += pack(block.pull[k].v);
         }
-        if (triple.pair[k] < 0)
+        if (triple.pair[k] < 0 || !to.has(std::min(one, other)))
             continue;
-        const bool rowsOfFrom = m_iterates ? from < to : m_factor.isLater(from, to);
+        const bool rowsOfOne = m_iterates ? one < other : m_factor.isLater(one, other);
         add(pair(std::size_t(triple.pair[k])),
-            rowsOfFrom ? block.pair[k] : transposed(block.pair[k]));
+            rowsOfOne ? block.pair[k] : transposed(block.pair[k]));
     }
 }
 

@@ -321,7 +321,7 @@ bool DirectSolver::solveForMoves(ThreadPool& pool)
         return false;
     if (m_iterates)
         return true;
-    if (!m_factor.factorize())
+    if (!m_factor.factorize(pool))
         return false;
     m_factor.solve(m_move);
     return true;

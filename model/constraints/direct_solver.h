@@ -111,6 +111,11 @@ private:
         double errors = 0.0; // kg m^2, the sum of energyOfError()
         double pulls = 0.0;  // kg m^2, the sum of energyOfPull()
     };
+    struct NodeRange // that something is added to
+    {
+        std::uint32_t first, last;
+        bool has(std::uint32_t row) const { return row >= first && row < last; }
+    };
     struct Starts // kg m^2, twice the sum that is minimised
     {
         double here = 0.0;
@@ -130,8 +135,11 @@ private:
     double assemble(ThreadPool& pool);
     double addMasses(std::size_t first, std::size_t last);
     double addBars(std::size_t first, std::size_t last);
-    void addTriple(const Triple& triple, const TripleBlock& block);
-    void addFreeTriple(const Triple& triple, const TripleBlock& block);
+    void addPanelsByNodes(ThreadPool& pool);
+    void addPanels(std::size_t first, std::size_t last, const NodeRange& to);
+    void addTriple(const Triple& triple, const TripleBlock& block, const NodeRange& to);
+    void addFreeTriple(const Triple& triple, const TripleBlock& block, const NodeRange& to);
+    NodeRange allNodes() const { return {0, std::uint32_t(nodes())}; }
     Mat3 onGuides(std::uint32_t row) const;
     void addContacts();
     void foresee(Bar& bar) const;

@@ -158,7 +158,7 @@ bool Multigrid::factorize(ThreadPool& pool)
         roundBlocks(last);
         return invert(last, pool);
     }
-    m_coarsest.setZero();
+    m_coarsest.setZero(pool);
     for (std::size_t i = 0; i < last.diagonal.size(); ++i)
         m_coarsest.diagonal(i) = last.diagonal[i];
     for (std::size_t i = 0; i < last.diagonal.size(); ++i)
@@ -166,7 +166,7 @@ bool Multigrid::factorize(ThreadPool& pool)
             const bool mirrors = !m_isSymmetric && m_coarsest.isLater(last.column[k], i);
             m_coarsest.pair(k) = mirrors ? mirrored(last.block[k]) : last.block[k];
         }
-    return m_coarsest.factorize();
+    return m_coarsest.factorize(pool);
 }
 
 bool Multigrid::invert(Level& level, ThreadPool& pool)
