@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view extensionOf(const std::string& bytes)
+std::string_view endingOf(const std::string& bytes)
 {
     if (bytes.starts_with("\x89PNG\r\n\x1a\n"))
         return ".png";
@@ -52,8 +52,8 @@ void nameFilesBeside(const fs::path& meshFile, std::vector<PolygonMesh::PackedPi
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         PolygonMesh::PackedPicture& picture = pictures[i];
         picture.file.clear();
-        const std::string_view extension = extensionOf(picture.bytes);
-        if (extension.empty())
+        const std::string_view ending = endingOf(picture.bytes);
+        if (ending.empty())
             continue;
         const std::string own =
             picture.name.empty() ? std::to_string(i + 1) : plainName(picture.name);
@@ -63,9 +63,9 @@ void nameFilesBeside(const fs::path& meshFile, std::vector<PolygonMesh::PackedPi
             return (fs::exists(file, error) && !holds(file, picture.bytes))
                    || std::any_of(pictures.begin(), pictures.begin() + std::ptrdiff_t(i), isSame);
         };
-        fs::path file = folder / (stem + std::string(extension));
+        fs::path file = folder / (stem + std::string(ending));
         for (int number = 2; isTaken(file); ++number)
-            file = folder / (stem + "-" + std::to_string(number) + std::string(extension));
+            file = folder / (stem + "-" + std::to_string(number) + std::string(ending));
         picture.file = file.string();
     }
 }

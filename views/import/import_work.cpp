@@ -11,7 +11,6 @@
 #include <set>
 
 namespace ripstop {
-namespace {} // namespace
 
 ImportWork::ImportWork(QObject* parent)
     : QObject(parent)
