@@ -218,7 +218,7 @@ void BuilderDialog::showParameters()
 // Fills the form with what the part was built with.
 void BuilderDialog::showValuesOf(const Part& part)
 {
-    m_form->setValues(parametersNow(*m_scene, m_open->part));
+    m_form->setValues(chosenNow(*m_scene, m_open->part).parameters);
     if (m_table) {
         QStringList rows;
         for (const std::vector<double>& row : tableOf(part.parameters, *chosen().table)) {
@@ -306,6 +306,8 @@ void BuilderDialog::collect()
     QStringList lines{textOf(m_outcome->figures)};
     if (m_outcome->substeps > 0)
         lines << tr("Raises the substeps of the scene to %1.").arg(m_outcome->substeps);
+    if (const QString staying = textOf(m_outcome->staying); !staying.isEmpty())
+        lines << staying;
     if (const QString lost = textOf(m_outcome->lost, m_outcome->letGo); !lost.isEmpty())
         lines << lost;
     if (m_outcome->figures.particles > mostShown)

@@ -38,7 +38,8 @@ struct BuildOutcome
     std::vector<Id> bodies; // to be selected: parts and obstacles that come, or the part
     int substeps = 0;       // to which the scene is raised, or 0 where it has enough
     HandmadeParts lost;     // of a part that is built again
-    std::size_t letGo = 0;  // references of other items to what goes
+    std::vector<OtherMaterial> staying; // of the part
+    std::size_t letGo = 0;              // references of other items to what goes
 };
 
 BuildOutcome outcomeOf(const BuildJob& job);

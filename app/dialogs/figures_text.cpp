@@ -38,6 +38,15 @@ QString textOf(const DesignFigures& figures)
     return counts.join(point) + QChar('\n') + sizes.join(point) + QChar('\n') + shape.join(point);
 }
 
+QString textOf(const std::vector<OtherMaterial>& staying)
+{
+    QStringList lines;
+    for (const OtherMaterial& other : staying)
+        lines << words("%1: of %2 by now, which stays until another is chosen.")
+                     .arg(choiceLabel(other.parameter), translated(other.preset->label));
+    return lines.join(QChar(' '));
+}
+
 QString textOf(const HandmadeParts& lost, std::size_t letGo)
 {
     QStringList work;

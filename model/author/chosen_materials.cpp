@@ -3,7 +3,7 @@
 #include "author/chosen_materials.h"
 
 #include "author/counterparts.h"
-#include "author/rebuild.h"
+#include "author/rebuild.h" // builderOf()
 #include "materials/presets.h"
 
 #include <algorithm>
@@ -35,26 +35,30 @@ const Preset* presentOf(std::string_view name, const Scene& built, const Scene& 
 
 } // namespace
 
-Parameters parametersNow(const Scene& scene, Id part)
+ChosenNow chosenNow(const Scene& scene, Id part)
 {
     const Part& held = *findItem<Part>(scene, part);
     const Builder& builder = *builderOf(held);
-    Parameters now = unsaid(builder); // a file may be older than a parameter
+    ChosenNow now{unsaid(builder), {}}; // a file may be older than a parameter
     for (const auto& [key, value] : held.parameters)
-        now[key] = value;
+        now.parameters[key] = value;
     const Result<Scene> built = build(builder, held.parameters);
     if (!built)
         return now;
     const Counterparts counterparts = counterpartsOf(scene, part, *built);
     for (const Parameter& parameter : builder.parameters) {
-        const auto chosen = std::size_t(now[std::string(parameter.key)]);
-        if (chosen >= parameter.choices.size())
+        double& choice = now.parameters[std::string(parameter.key)];
+        if (std::size_t(choice) >= parameter.choices.size())
             continue;
-        const Preset* present = presentOf(parameter.choices[chosen], *built, scene, counterparts);
-        const auto offered =
-            present ? std::ranges::find(parameter.choices, present->name) : parameter.choices.end();
+        const std::string_view chosen = parameter.choices[std::size_t(choice)];
+        const Preset* present = presentOf(chosen, *built, scene, counterparts);
+        if (!present || present->name == chosen)
+            continue;
+        const auto offered = std::ranges::find(parameter.choices, present->name);
         if (offered != parameter.choices.end())
-            now[std::string(parameter.key)] = double(offered - parameter.choices.begin());
+            choice = double(offered - parameter.choices.begin());
+        else
+            now.others.push_back({parameter.key, present});
     }
     return now;
 }

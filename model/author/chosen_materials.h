@@ -6,12 +6,28 @@
 #pragma once
 
 #include "builders/builder.h"
+#include "materials/preset.h"
 #include "scene/scene.h"
+
+#include <string_view>
+#include <vector>
 
 namespace ripstop {
 
-// Of a part with a builder. A choice follows where all that it was the material of is of another
-// one that the builder offers.
-Parameters parametersNow(const Scene& scene, Id part);
+// A choice of which all is of a material by now that the builder does not offer.
+struct OtherMaterial
+{
+    std::string_view parameter; // key
+    const Preset* preset;
+};
+
+struct ChosenNow
+{
+    Parameters parameters; // a choice follows where its material is another one that is offered
+    std::vector<OtherMaterial> others;
+};
+
+// Of a part with a builder.
+ChosenNow chosenNow(const Scene& scene, Id part);
 
 } // namespace ripstop

@@ -9,7 +9,6 @@
 // 4. References to rows that are gone are let go, and settings follow where nobody has tuned them.
 #include "author/rebuild.h"
 
-#include "author/chosen_materials.h"
 #include "author/counterparts.h"
 #include "author/tuned_weights.h"
 #include "select/group.h"
@@ -446,7 +445,8 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
 {
     const Part& part = *findItem<Part>(scene, id);
     const Builder& builder = *builderOf(part);
-    Result<Scene> before = build(builder, parametersNow(scene, id));
+    ChosenNow now = chosenNow(scene, id);
+    Result<Scene> before = build(builder, now.parameters);
     if (!before)
         return before.failure();
     Result<Scene> after = build(builder, parameters);
@@ -460,6 +460,11 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
                                  nextId.value_or(scene.nextId))
                           .run();
     outcome.built = std::move(*after);
+    std::erase_if(now.others, [&](const OtherMaterial& other) {
+        const auto wanted = parameters.find(std::string(other.parameter));
+        return wanted == parameters.end() || wanted->second != now.parameters[wanted->first];
+    });
+    outcome.staying = std::move(now.others);
     return outcome;
 }
 

@@ -2,15 +2,16 @@
 //
 // Three designs meet: as the builder made it, from the parameters of the part as it stands
 // (chosen_materials.h); as it makes it now; and what stands in the scene. Where the parameters make
-// a difference, the scene follows. What they do not touch stays: the tuned number of a material, the
-// key of a control, the limit of a wind. The part keeps its id, its name, its number properties and
-// its place, and its particles their ids where there are as many as before, so that what points at
-// them still does.
+// a difference, the scene follows. What they do not touch stays: the tuned number of a material,
+// the key of a control, the limit of a wind. The part keeps its id, its name, its number properties
+// and its place, and its particles their ids where there are as many as before, so that what points
+// at them still does.
 //
 // The rows of the part are the builder's alone. What was changed in them by hand goes when the part
 // is built again; `HandmadeParts` counts it, so that one is told before.
 #pragma once
 
+#include "author/chosen_materials.h"
 #include "builders/builder.h"
 #include "scene/edit.h"
 
@@ -33,6 +34,7 @@ struct Rebuilt
 {
     Edit edit;
     HandmadeParts lost;
+    std::vector<OtherMaterial> staying; // of choices that are as they were
     std::size_t letGo = 0; // groups, probes, controls and links that pointed at what goes
     Scene built;           // as the builder makes it, for its figures
 };

@@ -149,14 +149,15 @@ std::vector<std::vector<Id>> addFlag(Network& network, const Parameters& p,
     return nodes;
 }
 
-// All around, which pulls and does not push; returns its material.
+// All around, as stiff either way as those of kites: between its nodes it does not fold. Returns
+// its material.
 Id addHem(Scene& scene, Network& network, const std::vector<std::vector<Id>>& nodes, double density)
 {
     Material hem;
     hem.name = "hem";
     hem.color = "#9d0f1a";
     const Id material = addItem(scene, hem);
-    const auto sew = [&](Id from, Id to) { network.rod(from, to, material, Resists::Tension); };
+    const auto sew = [&](Id from, Id to) { network.rod(from, to, material); };
     for (std::size_t row = 1; row < nodes.size(); ++row) {
         sew(nodes[row - 1].front(), nodes[row].front());
         sew(nodes[row - 1].back(), nodes[row].back());

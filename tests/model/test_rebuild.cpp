@@ -4,7 +4,6 @@
 // again with the same and with each other parameter, where what was tuned by hand must stay; then
 // what is lost is counted, and parts are detached. after() checks undo for each edit. A new
 // builder is covered without a change here.
-#include "author/chosen_materials.h"
 #include "author/rebuild.h"
 #include "check/check.h"
 #include "io/scene_file.h"
@@ -72,7 +71,7 @@ Scene inserting(const Scene& scene, const char* name, InsertWish wish = {},
 
 Scene changing(const Scene& scene, const Parameters& given, std::size_t index = 0)
 {
-    Parameters parameters = parametersNow(scene, partId(scene, index));
+    Parameters parameters = chosenNow(scene, partId(scene, index)).parameters;
     for (const auto& [key, value] : given)
         parameters[key] = value;
     const Result<Rebuilt> again = rebuilt(scene, partId(scene, index), parameters);
@@ -367,11 +366,19 @@ private slots:
         const double atFirst = massOf(asBought) - massOf(first);
         QVERIFY(std::abs(more - atFirst - 5.0 * (density - densityAtFirst)) < 1e-12);
 
-        // its parameters say what it is made of by now, and so the line of before can be chosen
-        const Parameters said = parametersNow(scene, partId(scene));
-        QCOMPARE(said.at("cord"), 5.0);
-        QCOMPARE(said.at("cloth"), 2.0);
-        const Scene back = changing(scene, {{"cord", 3}});
+        // LTC65 is no line that the builder offers, and is told
+        ChosenNow now = chosenNow(scene, partId(scene));
+        const auto staying = [&] { return rebuilt(scene, partId(scene), now.parameters)->staying; };
+        QCOMPARE(staying().at(0).preset->name, std::string("liros_ltc65"));
+        now.parameters["cord"] = 1;
+        QVERIFY(staying().empty());
+
+        // LTC80 is one, so that the line of before can be chosen again
+        scene = after(
+            scene,
+            presetEdit(scene, **findPreset("liros_ltc80"), {materialNamed(scene, "line")})->edit);
+        QCOMPARE(chosenNow(scene, partId(scene)).parameters.at("cord"), 4.0);
+        Scene back = changing(scene, {{"cord", 3}});
         QCOMPARE(*itemNamed<Material>(back, "line")->linearDensity, densityAtFirst);
         QVERIFY(std::abs(massOf(back) - massOf(first)) < 1e-12);
 
