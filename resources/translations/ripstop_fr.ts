@@ -20,6 +20,11 @@
     </message>
     <message>
         <location filename="arrivals.cpp"/>
+        <source>Fabric without its picture</source>
+        <translation>Tissu sans son image</translation>
+    </message>
+    <message>
+        <location filename="arrivals.cpp"/>
         <source>Imported %1. Pin what is to be held: nothing holds it yet.</source>
         <translation>%1 importé. Fixer ce qui doit être tenu : rien ne le tient encore.</translation>
     </message>
@@ -2582,6 +2587,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="figures_text.cpp"/>
         <source>%1 wide, %2 high, %3 deep</source>
         <translation>largeur %1, hauteur %2, profondeur %3</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1: of %2 by now, which stays until another is chosen.</source>
+        <translation>%1 : désormais en %2, qui reste tant qu’aucun autre n’est choisi.</translation>
     </message>
     <message>
         <location filename="figures_text.cpp"/>
@@ -5992,6 +6002,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="packed.cpp"/>
         <source>it is too short</source>
         <translation>c’est trop court</translation>
+    </message>
+    <message>
+        <location filename="packed_pictures.cpp"/>
+        <source>%1 has come since the mesh was read, with something else in it; import the mesh again.</source>
+        <translation>%1 est arrivé depuis la lecture du maillage, avec un autre contenu ; importez de nouveau le maillage.</translation>
     </message>
     <message>
         <location filename="palette.cpp"/>
