@@ -5,16 +5,13 @@
 #include "dialogs/builder_dialog.h"
 #include "document/document.h"
 #include "document/selection.h"
-#include "document/words.h"
 #include "files/files.h"
 #include "import/import_dialog.h"
-#include "shapes/packed_pictures.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 
 #include <QDir>
 #include <QFileInfo>
-#include <QMessageBox>
 
 #include <utility>
 
@@ -82,19 +79,6 @@ void Arrivals::insert(const QString& builder)
                      m_selection.ids())); // with all of the view, now that the dialog is gone
 }
 
-// The import goes on without those that cannot be written: the check names the materials that miss
-// them.
-void Arrivals::unpackPictures(const std::vector<PolygonMesh::PackedPicture>& pictures)
-{
-    QStringList refusals;
-    for (const PolygonMesh::PackedPicture& picture : pictures)
-        if (const auto failure = unpack(picture))
-            refusals << translated(failure->message);
-    if (!refusals.isEmpty())
-        QMessageBox::warning(&m_window, tr("Fabric without its picture"),
-                             refusals.join(QStringLiteral("\n")));
-}
-
 void Arrivals::importMesh(const QString& file)
 {
     const bool isNew = !m_isOpen();
@@ -111,7 +95,6 @@ void Arrivals::importMesh(const QString& file)
         m_document.replace(Scene{}, QFileInfo(dialog.file()).completeBaseName());
         emit opened();
     }
-    unpackPictures(dialog.result().pictures);
     m_document.push(dialog.result().edit);
     m_selection.set(dialog.result().parts);
     m_viewport.fit(dialog.result().parts);

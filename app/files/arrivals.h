@@ -5,8 +5,6 @@
 // and the command line all come here; files of ours are opened elsewhere (files.h).
 #pragma once
 
-#include "shapes/polygon_mesh.h"
-
 #include <QObject>
 #include <QString>
 
@@ -45,8 +43,6 @@ signals:
     void said(const QString& message); // for the status bar
 
 private:
-    void unpackPictures(const std::vector<PolygonMesh::PackedPicture>& pictures);
-
     Document& m_document;
     Selection& m_selection;
     Viewport& m_viewport;

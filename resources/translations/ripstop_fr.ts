@@ -20,11 +20,6 @@
     </message>
     <message>
         <location filename="arrivals.cpp"/>
-        <source>Fabric without its picture</source>
-        <translation>Tissu sans son image</translation>
-    </message>
-    <message>
-        <location filename="arrivals.cpp"/>
         <source>Imported %1. Pin what is to be held: nothing holds it yet.</source>
         <translation>%1 importé. Fixer ce qui doit être tenu : rien ne le tient encore.</translation>
     </message>
@@ -3630,6 +3625,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
+        <source>Fabric without its picture</source>
+        <translation>Tissu sans son image</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
         <source>Import</source>
         <translation>Importer</translation>
     </message>
@@ -3652,6 +3652,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="import_dialog.cpp"/>
         <source>OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP or VTU.</source>
         <translation>OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP ou VTU.</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Pictures that lie within the file will be written beside it: %1.</source>
+        <translation>Les images contenues dans le fichier seront écrites à côté : %1.</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>

@@ -193,6 +193,35 @@ private slots:
         QCOMPARE(editor.document.history().count(), 0);
     }
 
+    // What lies within the file is told, and written when the mesh is imported, not before.
+    void picturesWithinTheFile()
+    {
+        const QString mesh =
+            writeFile(m_folder.filePath("kite.gltf"), trianglePackedWith(redPoint()));
+        const QString picture = m_folder.filePath("kite-1.png");
+        const Scene scene;
+        ImportDialog dialog(scene, mesh);
+        dialog.show();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+        const auto* counts = dialog.findChild<QLabel*>("counts");
+        QVERIFY2(counts->text().contains("kite-1.png"), qPrintable(counts->text()));
+        dialog.reject();
+        QVERIFY(!QFile::exists(picture));
+
+        Editor editor;
+        editor.window.files().startNew();
+        Answer yes(QDialogButtonBox::Ok);
+        editor.window.arrivals().importMesh(mesh);
+        QFile file(picture);
+        QVERIFY(file.open(QFile::ReadOnly));
+        QCOMPARE(file.readAll(), redPoint());
+        bool isPrinted = false;
+        for (const Entry& entry : editor.document.scene().items)
+            if (const auto* material = std::get_if<Material>(&entry.item))
+                isPrinted |= material->picture.ends_with("kite-1.png");
+        QVERIFY(isPrinted);
+    }
+
     void droppedOnTheWindow()
     {
         Editor editor; // with the start page: a new scene

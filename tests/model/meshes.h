@@ -137,6 +137,39 @@ inline double areaOfTriangles(const RepairedMesh& surface)
     return area;
 }
 
+// A glTF of one triangle with a picture on it.
+inline QByteArray texturedTriangle(const QByteArray& picture)
+{
+    QByteArray corners; // three of three floats, as three of two and so many bytes more
+    for (const float number : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F})
+        corners.append(reinterpret_cast<const char*>(&number), sizeof number);
+    QByteArray gltf =
+        "{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],"
+        "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0}]}],"
+        "'materials':[{'name':'sail','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}],"
+        "'textures':[{'source':0}],'images':[{'uri':'PICTURE'}],"
+        "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3',"
+        "'min':[0,0,0],'max':[1,1,0]},{'bufferView':0,'componentType':5126,'count':3,"
+        "'type':'VEC2'}],'bufferViews':[{'buffer':0,'byteLength':36}],"
+        "'buffers':[{'byteLength':36,'uri':'data:application/octet-stream;base64,"
+        + corners.toBase64() + "'}]}";
+    gltf.replace('\'', '"');
+    return gltf.replace("PICTURE", picture);
+}
+
+// A PNG of one red point.
+inline QByteArray redPoint()
+{
+    return QByteArray::fromBase64("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJ"
+                                  "AAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==");
+}
+
+// The same triangle, with what says it is a PNG within the file.
+inline QByteArray trianglePackedWith(const QByteArray& picture)
+{
+    return texturedTriangle("data:image/png;base64," + picture.toBase64());
+}
+
 // Writes a file and answers its path.
 inline QString writeFile(const QString& path, const QByteArray& content)
 {

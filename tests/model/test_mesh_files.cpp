@@ -13,30 +13,6 @@
 #include <random>
 
 namespace ripstop::test_mesh_files {
-namespace {
-
-// A glTF of one triangle with a picture on it.
-QByteArray texturedTriangle(const QByteArray& picture)
-{
-    QByteArray corners; // three of three floats, as three of two and so many bytes more
-    for (const float number : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F})
-        corners.append(reinterpret_cast<const char*>(&number), sizeof number);
-    QByteArray gltf =
-        "{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],"
-        "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0}]}],"
-        "'materials':[{'name':'sail','pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}],"
-        "'textures':[{'source':0}],'images':[{'uri':'PICTURE'}],"
-        "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3',"
-        "'min':[0,0,0],'max':[1,1,0]},{'bufferView':0,'componentType':5126,'count':3,"
-        "'type':'VEC2'}],'bufferViews':[{'buffer':0,'byteLength':36}],"
-        "'buffers':[{'byteLength':36,'uri':'data:application/octet-stream;base64,"
-        + corners.toBase64() + "'}]}";
-    gltf.replace('\'', '"');
-    return gltf.replace("PICTURE", picture);
-}
-
-} // namespace
-
 class TestMeshFiles : public QObject, MeshFolder
 {
     Q_OBJECT
@@ -365,11 +341,7 @@ private slots:
     void packedPictures()
     {
         QVERIFY(QDir(m_folder.path()).mkpath("packed"));
-        const QByteArray png = QByteArray::fromBase64( // one red point
-            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJ"
-            "AAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==");
-        const QString mesh =
-            write("packed/kite.gltf", texturedTriangle("data:image/png;base64," + png.toBase64()));
+        const QString mesh = write("packed/kite.gltf", trianglePackedWith(redPoint()));
         const QString scene = m_folder.filePath("packed/kite.ripstop.json");
         const QString picture = m_folder.filePath("packed/kite-1.png");
         const auto import = [&] { return call({"import", mesh, "-o", scene}); };
@@ -379,19 +351,17 @@ private slots:
         };
         for (int time = 0; time < 2; ++time) {
             QCOMPARE(import().error, QString());
-            QCOMPARE(content(picture), png);
+            QCOMPARE(content(picture), redPoint());
             QVERIFY(content(scene).contains("\"picture\": \"kite-1.png\""));
             QVERIFY(!QFile::exists(m_folder.filePath("packed/kite-1-2.png")));
         }
         write("packed/kite-1.png", "another's");
         QCOMPARE(import().error, QString());
         QCOMPARE(content(picture), QByteArray("another's"));
-        QCOMPARE(content(m_folder.filePath("packed/kite-1-2.png")), png);
+        QCOMPARE(content(m_folder.filePath("packed/kite-1-2.png")), redPoint());
         QVERIFY(content(scene).contains("\"picture\": \"kite-1-2.png\""));
 
-        const QString odd =
-            write("packed/odd.gltf",
-                  texturedTriangle("data:image/png;base64," + QByteArray("no picture").toBase64()));
+        const QString odd = write("packed/odd.gltf", trianglePackedWith("no picture"));
         QCOMPARE(call({"import", odd, "-o", scene}).error, QString());
         QVERIFY(!content(scene).contains("\"picture\""));
     }

@@ -11,6 +11,7 @@
 #include "import/import_form.h"
 #include "import/mesh_preview.h"
 #include "shapes/mesh_file.h"
+#include "shapes/packed_pictures.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -20,6 +21,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -70,6 +72,18 @@ QString countsText(const MeshImport& made)
                        counted(Kind::Panel, qsizetype(made.panels)),
                        spokenText(made.area, "m\u00b2"), massText(made.mass)}
         .join(QStringLiteral(" \u00b7 "));
+}
+
+// Empty where no picture within the file is printed on the fabric.
+QString picturesText(const MeshImport& made)
+{
+    QStringList names;
+    for (const PolygonMesh::PackedPicture& picture : made.pictures)
+        names << QFileInfo(QString::fromStdString(picture.file)).fileName();
+    return names.isEmpty() ? QString()
+                           : ImportDialog::tr("Pictures that lie within the file will be written "
+                                              "beside it: %1.")
+                                 .arg(names.join(QStringLiteral(", ")));
 }
 
 } // namespace
@@ -245,11 +259,26 @@ void ImportDialog::take(std::shared_ptr<const ImportOutcome> outcome)
         m_size->setText(m_shown ? sizeText(m_shown->size) : QString());
         showReport();
     }
-    m_counts->setText(isReady() ? countsText(m_outcome->made) : m_outcome->refusal);
+    QStringList lines{isReady() ? countsText(m_outcome->made) : m_outcome->refusal};
+    if (const QString pictures = picturesText(m_outcome->made); !pictures.isEmpty())
+        lines << pictures;
+    m_counts->setText(lines.join(QChar('\n')));
     setReady(isReady() && !m_delay.isActive());
     m_counts->setEnabled(!m_delay.isActive()); // a refusal is to be read, too
     if (!m_delay.isActive())
         emit settled();
+}
+
+// What cannot be written does not stop the import: the check names the materials that miss it.
+void ImportDialog::accept()
+{
+    QStringList refusals;
+    for (const PolygonMesh::PackedPicture& picture : result().pictures)
+        if (const auto failure = unpack(picture))
+            refusals << translated(failure->message);
+    if (!refusals.isEmpty())
+        QMessageBox::warning(this, tr("Fabric without its picture"), refusals.join(QChar('\n')));
+    QDialog::accept();
 }
 
 void ImportDialog::showReport()

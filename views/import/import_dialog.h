@@ -3,7 +3,8 @@
 //
 // Everything is worked out on another thread (import_work.h) shortly after each change of the form,
 // and the dialog can be accepted only while the outcome belongs to what is chosen. It changes no
-// scene: the caller adds result(). Only the window's thread uses it.
+// scene: the caller adds result(). What is accepted has its pictures: those that lie within the
+// mesh's file are written beside it (shapes/packed_pictures.h). Only the window's thread uses it.
 #pragma once
 
 #include "import/import_work.h"
@@ -39,6 +40,8 @@ public:
     QString file() const { return m_file; }
     bool isReady() const { return m_outcome && m_outcome->refusal.isEmpty(); }
     bool isSettled() const { return m_outcome && !m_delay.isActive(); }
+
+    void accept() override;
 
 signals:
     void settled(); // the outcome that is shown is that of what is chosen
