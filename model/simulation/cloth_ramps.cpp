@@ -206,8 +206,6 @@ void NotedCloth::panelRampsTo(const System& edited, State& state, RampWay& way) 
 {
     state.panelRamps.clear();
     state.factorRamps.clear();
-    if (edited.rampTime == 0.0)
-        return;
     KeyIndex index(m_panels.size());
     for (std::size_t i = 0; i < m_panels.size(); ++i)
         index.add(m_panels[i].key, int(i));
@@ -221,6 +219,10 @@ void NotedCloth::panelRampsTo(const System& edited, State& state, RampWay& way) 
         const Panel& noted = m_panels[std::size_t(place)];
         addCutRamp(membrane, noted, cutRampOf(key), state.panelRamps, way);
         addFactorRamp(membrane, noted, factorRampOf(key), state.factorRamps, way);
+    }
+    if (edited.rampTime == 0.0) { // what is under way goes on
+        std::erase_if(state.panelRamps, [](const PanelRamp& ramp) { return ramp.lasts == 0.0; });
+        std::erase_if(state.factorRamps, [](const FactorRamp& ramp) { return ramp.lasts == 0.0; });
     }
     std::ranges::sort(state.panelRamps, {}, &PanelRamp::panel);
     std::ranges::sort(state.factorRamps, {}, &FactorRamp::panel);
