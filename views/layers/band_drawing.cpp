@@ -2,8 +2,6 @@
 // what these have by now.
 #include "layers/band_drawing.h"
 
-#include "layers/cloth_shader.h"
-
 #include <vtkRenderer.h>
 
 namespace ripstop {
@@ -20,13 +18,6 @@ std::array<float, Size> mixed(std::span<const std::array<float, Size>> values,
         for (std::size_t i = 0; i < Size; ++i)
             sum[i] += shares[corner] * values[vertices[corner]][i];
     return sum;
-}
-
-float mixed(std::span<const float> values, const Corners& vertices,
-            const std::array<float, 3>& shares)
-{
-    return shares[0] * values[vertices[0]] + shares[1] * values[vertices[1]]
-           + shares[2] * values[vertices[2]];
 }
 
 template <std::size_t Size>
@@ -85,17 +76,15 @@ void BandDrawing::rebuild(const std::vector<BandPiece>& pieces, const ClothVerti
 
 void BandDrawing::update(std::span<const std::array<float, 3>> points,
                          std::span<const std::array<float, 3>> normals,
-                         std::span<const float> shade)
+                         std::span<const Shades> shade)
 {
     auto* point = reinterpret_cast<std::array<float, 3>*>(m_points->GetVoidPointer(0));
     auto* normal = rowsOf<3>(*m_normals, m_mixtures.size());
-    m_shade->SetNumberOfTuples(vtkIdType(m_mixtures.size()));
-    m_shade->Modified();
-    float* shadeHere = m_shade->GetPointer(0);
+    Shades* shadeHere = rowsOf<3>(*m_shade, m_mixtures.size());
     for (const auto& [vertices, shares] : m_mixtures) {
         *point++ = mixed<3>(points, vertices, shares);
         *normal++ = mixed<3>(normals, vertices, shares);
-        *shadeHere++ = mixed(shade, vertices, shares);
+        *shadeHere++ = mixed<3>(shade, vertices, shares);
     }
     m_points->Modified();
     m_mesh->Modified();

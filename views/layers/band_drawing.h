@@ -4,6 +4,7 @@
 // It has vertices of its own, each a mixture of those of one panel, and the same cloth as they.
 #pragma once
 
+#include "layers/cloth_shader.h"
 #include "layers/vtk_data.h"
 #include "look/bands.h"
 
@@ -31,7 +32,7 @@ public:
 
     // Points, normals and shade of the panels' vertices, as they are now.
     void update(std::span<const std::array<float, 3>> points,
-                std::span<const std::array<float, 3>> normals, std::span<const float> shade);
+                std::span<const std::array<float, 3>> normals, std::span<const Shades> shade);
 
 private:
     struct Mixture

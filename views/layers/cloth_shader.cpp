@@ -14,19 +14,19 @@ namespace {
 
 constexpr const char* vertexDeclaration = R"(//VTK::TCoord::Dec
 in vec4 clothPoint;
-in float sunShade;
+in vec3 shade;
 out vec4 clothPointVS;
-out float sunShadeVS;
+out vec3 shadeVS;
 )";
 
 constexpr const char* vertexPass = R"(//VTK::TCoord::Impl
 clothPointVS = clothPoint;
-sunShadeVS = sunShade;
+shadeVS = shade;
 )";
 
 constexpr const char* fragmentDeclaration = R"(//VTK::TCoord::Dec
 in vec4 clothPointVS;
-in float sunShadeVS;
+in vec3 shadeVS;
 
 // How much darker the weave is here, 0 to 1, at so many metres a pixel.
 float weave(vec2 place, float grid, float pixel)
@@ -62,14 +62,15 @@ constexpr const char* fragmentLight = R"(//VTK::Light::Impl
     vec3 up = normalMatrix * vec3(0.0, 1.0, 0.0);
     vec3 around = mix(vec3(0.30, 0.29, 0.27), vec3(0.46, 0.49, 0.54),
                       0.5 + 0.5 * dot(normalVCVSOutput, up));
+    float open = 1.0 - 0.7 * (gl_FrontFacing ? shadeVS.y : shadeVS.z); // cloth in the way has light, too
     float away = dot(normalVCVSOutput, lightDirectionVC0); // of the side that is seen, from the sun
-    vec3 sun = (1.0 - 0.8 * sunShadeVS) * lightColor0;     // cloth that is in the way lets some through
+    vec3 sun = (1.0 - 0.8 * shadeVS.x) * lightColor0;     // cloth that is in the way lets some through
     vec3 through = 1.3 * clothPointVS.z * max(0.0, away) * sun * (0.6 + 0.4 * diffuseColor);
     vec3 shaded = max(0.0, -away) * diffuseColor * (lightColor0 - sun);
     float slant = 1.0 - facing;
-    float sheen = 0.15 * slant * slant * slant * slant;
+    float sheen = 0.15 * open * slant * slant * slant * slant;
     float pixel = max(length(dFdx(clothPointVS.xy)), length(dFdy(clothPointVS.xy)));
-    vec3 lit = gl_FragData[0].rgb - shaded + diffuseColor * (around + through);
+    vec3 lit = gl_FragData[0].rgb - shaded + diffuseColor * (open * around + through);
     gl_FragData[0].rgb = lit * (1.0 - weave(clothPointVS.xy, clothPointVS.w, pixel))
                          + sheen * (0.5 + 0.5 * diffuseColor);
     }
@@ -85,7 +86,8 @@ void joinCloth(vtkPolyData& mesh, vtkPoints& points, vtkFloatArray& normals, vtk
     normals.SetNumberOfComponents(3);
     onCloth.SetNumberOfComponents(4);
     onCloth.SetName(clothPointArray);
-    shade.SetName(sunShadeArray);
+    shade.SetNumberOfComponents(3);
+    shade.SetName(shadeArray);
     mesh.SetPoints(&points);
     mesh.GetPointData()->SetNormals(&normals);
     mesh.GetPointData()->AddArray(&onCloth);
@@ -96,7 +98,7 @@ void addClothShader(vtkActor& actor, vtkPolyDataMapper& mapper)
 {
     constexpr int ofPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     mapper.MapDataArrayToVertexAttribute("clothPoint", clothPointArray, ofPoints, -1);
-    mapper.MapDataArrayToVertexAttribute("sunShade", sunShadeArray, ofPoints, -1);
+    mapper.MapDataArrayToVertexAttribute("shade", shadeArray, ofPoints, -1);
     constexpr bool beforeVtk = true, once = false;
     vtkShaderProperty& shader = *actor.GetShaderProperty();
     shader.AddVertexShaderReplacement("//VTK::TCoord::Dec", beforeVtk, vertexDeclaration, once);

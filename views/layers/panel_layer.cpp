@@ -5,10 +5,16 @@
 #include "layers/panel_layer.h"
 
 #include "layers/cloth_shader.h"
+#include "look/shadow_map.h"
 
 #include <vtkRenderer.h>
 
 namespace ripstop {
+namespace {
+
+constexpr std::size_t mostForSky = 20000; // panels; more would take longer than drawing them
+
+} // namespace
 
 PanelLayer::PanelLayer()
 {
@@ -127,7 +133,8 @@ void PanelLayer::layCloth(const Picture& picture)
     m_normals->SetNumberOfTuples(count);
     m_shadeOfVertices->SetNumberOfTuples(count);
     m_normal.resize(m_layout->particleId.size());
-    m_shade.resize(m_layout->particleId.size());
+    m_sunShade.resize(m_layout->particleId.size());
+    m_aroundShade.assign(m_layout->particleId.size(), {});
 }
 
 void PanelLayer::selectPanels(const Picture& picture)
@@ -161,15 +168,16 @@ void PanelLayer::takePoints(const Picture& picture)
     const auto& position = picture.frame.position;
     smoothNormals(m_panels, m_present, position, m_normal);
     if (picture.colorBy == ColorBy::Material) // numbers have no light
-        m_sunShade.cast(position, m_normal, m_panels, m_present, m_shade);
+        castShades(position);
     auto* point = reinterpret_cast<std::array<float, 3>*>(m_points->GetVoidPointer(0));
     auto* normal = reinterpret_cast<std::array<float, 3>*>(m_normals->GetPointer(0));
-    float* shade = m_shadeOfVertices->GetPointer(0);
+    auto* shade = reinterpret_cast<Shades*>(m_shadeOfVertices->GetPointer(0));
     for (const int particle : m_vertices.particle) {
         const Vec3& at = position[particle];
         *point++ = {float(at.x()), float(at.y()), float(at.z())};
         *normal++ = m_normal[particle];
-        *shade++ = m_shade[particle];
+        const auto& [along, against] = m_aroundShade[particle];
+        *shade++ = {m_sunShade[particle], along, against};
     }
     m_points->Modified();
     m_normals->Modified();
@@ -177,6 +185,14 @@ void PanelLayer::takePoints(const Picture& picture)
     const std::size_t count = m_vertices.particle.size();
     for (BandDrawing& bands : m_bandDrawings)
         bands.update({point - count, count}, {normal - count, count}, {shade - count, count});
+}
+
+void PanelLayer::castShades(std::span<const Vec3> position)
+{
+    m_selfShade.cast(sunDirection.normalized(), position, m_normal, m_panels, m_present,
+                     m_sunShade);
+    if (m_panels.size() <= mostForSky)
+        m_skyShade.cast(position, m_normal, m_panels, m_present, m_aroundShade);
 }
 
 void PanelLayer::paint(const Picture& picture)

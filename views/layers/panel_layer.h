@@ -12,7 +12,7 @@
 #include "layers/printed_cloth.h"
 #include "layers/vtk_data.h"
 #include "look/fabric.h"
-#include "look/sun_shade.h"
+#include "look/sky_shade.h"
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
@@ -40,6 +40,7 @@ private:
     void takeLight(const Picture& picture);
     void layCloth(const Picture& picture);
     void takePoints(const Picture& picture);
+    void castShades(std::span<const Vec3> position);
     void paint(const Picture& picture);
 
     std::shared_ptr<const Layout> m_layout;
@@ -63,8 +64,10 @@ private:
     std::vector<std::array<ClothPoint, 3>> m_onSheet;    // [panels]
     ClothVertices m_vertices;
     std::vector<std::array<float, 3>> m_normal; // [particles]
-    SunShade m_sunShade;
-    std::vector<float> m_shade; // [particles]
+    SelfShade m_selfShade;
+    SkyShade m_skyShade;
+    std::vector<float> m_sunShade;                   // [particles]
+    std::vector<std::array<float, 2>> m_aroundShade; // [particles]
     ColorArray m_colors;
     vtkNew<vtkPoints> m_points;      // [vertices]
     vtkNew<vtkFloatArray> m_normals; // [vertices]

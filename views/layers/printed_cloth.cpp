@@ -31,7 +31,7 @@ PrintedCloth::PrintedCloth(vtkPolyData& vertices)
     m_places->SetNumberOfComponents(2);
     m_mesh->SetPoints(vertices.GetPoints());
     m_mesh->GetPointData()->SetNormals(vertices.GetPointData()->GetNormals());
-    for (const char* array : {clothPointArray, sunShadeArray})
+    for (const char* array : {clothPointArray, shadeArray})
         m_mesh->GetPointData()->AddArray(vertices.GetPointData()->GetArray(array));
     m_mesh->GetPointData()->SetTCoords(m_places);
     m_mapper->SetInputData(m_mesh);

@@ -1,17 +1,21 @@
 // The shade that fabric throws on itself: none on what lies alone, and what is behind as the sun
-// sees it.
+// sees it, or as it is seen from all around.
 #include "look/shadow_map.h"
-#include "look/sun_shade.h"
+#include "look/sky_shade.h"
 #include "registered_test.h"
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
-namespace ripstop::test_sun_shade {
+namespace ripstop::test_self_shade {
 
 namespace {
+
+constexpr double pi = std::numbers::pi;
 
 struct Cloth
 {
@@ -44,7 +48,17 @@ struct Cloth
         std::vector<float> result(places.size(), -1.0F);
         std::vector<std::array<float, 3>> normals(places.size());
         smoothNormals(panels, present, places, normals);
-        SunShade().cast(places, normals, panels, present, result);
+        SelfShade().cast(sunDirection.normalized(), places, normals, panels, present, result);
+        return result;
+    }
+
+    std::vector<std::array<float, 2>> fromAround() const
+    {
+        const std::vector<std::uint8_t> present(panels.size(), 1);
+        std::vector<std::array<float, 2>> result(places.size(), {-1.0F, -1.0F});
+        std::vector<std::array<float, 3>> normals(places.size());
+        smoothNormals(panels, present, places, normals);
+        SkyShade().cast(places, normals, panels, present, result);
         return result;
     }
 };
@@ -53,7 +67,7 @@ float most(const std::vector<float>& shade) { return *std::ranges::max_element(s
 
 } // namespace
 
-class TestSunShade : public QObject
+class TestSelfShade : public QObject
 {
     Q_OBJECT
 
@@ -109,6 +123,27 @@ private slots:
         QCOMPARE(together, alone);
     }
 
+    // The middle of a square sees of another one, a half of its side away, a share of
+    // 4 / (2 pi) 2 / sqrt(2) atan(1 / sqrt(2)) = 0.554 (Howell's catalogue, B-3). Sixteen
+    // directions tell it roughly. Outside, and alone, nothing is seen.
+    void betweenTwoSheetsItIsDark()
+    {
+        Cloth cloth;
+        cloth.add(Vec3::Zero(), Vec3::UnitY(), 2.0, 20);
+        const int middle = 10 * 21 + 10;
+        for (const auto& [along, against] : cloth.fromAround())
+            QVERIFY(along == 0.0F && against == 0.0F);
+        const int above = cloth.add(Vec3(0.0, 1.0, 0.0), Vec3::UnitY(), 2.0, 20);
+        const std::vector<std::array<float, 2>> shade = cloth.fromAround();
+        const double expected = 4.0 / (2.0 * pi) * std::sqrt(2.0) * std::atan(std::sqrt(0.5));
+        const auto& lower = shade[std::size_t(middle)];
+        const auto& upper = shade[std::size_t(above + middle)];
+        QVERIFY2(std::abs(lower[0] - expected) < 0.12, qPrintable(QString::number(lower[0])));
+        QVERIFY2(std::abs(upper[1] - expected) < 0.12, qPrintable(QString::number(upper[1])));
+        QCOMPARE(lower[1], 0.0F);
+        QCOMPARE(upper[0], 0.0F);
+    }
+
     void whatIsNotFiniteIsLeftOut()
     {
         Cloth cloth;
@@ -121,14 +156,16 @@ private slots:
             QVERIFY(shade >= 0.0F && shade <= 1.0F);
         Cloth nothing;
         QVERIFY(nothing.shade().empty());
+        for (const auto& [along, against] : cloth.fromAround())
+            QVERIFY(along >= 0.0F && along <= 1.0F && against >= 0.0F && against <= 1.0F);
         for (Vec3& place : cloth.places)
             place.setConstant(std::numeric_limits<double>::quiet_NaN());
         QCOMPARE(most(cloth.shade()), 0.0F);
     }
 };
 
-const RegisteredTest registered("test_sun_shade", runPlain<TestSunShade>);
+const RegisteredTest registered("test_self_shade", runPlain<TestSelfShade>);
 
-} // namespace ripstop::test_sun_shade
+} // namespace ripstop::test_self_shade
 
-#include "test_sun_shade.moc"
+#include "test_self_shade.moc"

@@ -1,8 +1,7 @@
 // cast() has three parts: frame() fits the picture and finds the plane of the fabric at each
 // corner, draw() fills the picture triangle by triangle, and shadeOf() looks around each place.
-#include "look/sun_shade.h"
+#include "look/self_shade.h"
 
-#include "look/shadow_map.h"
 #include "look/triangle_pixels.h"
 
 #include <Eigen/Geometry>
@@ -15,23 +14,23 @@ namespace ripstop {
 namespace {
 
 constexpr int reach = 2;             // pixels around a place that are looked at
-constexpr double leastFacing = 0.05; // 1, of a plane that the sun lights at all
+constexpr double leastFacing = 0.05; // 1, of a plane that the light reaches at all
 constexpr float sameSurface = 4.0F;  // pixels
 constexpr float leastSize = 1e-3F;   // m
 constexpr float notSeen = std::numeric_limits<float>::lowest(); // of a place or a pixel
 
 } // namespace
 
-bool SunShade::isSeen(const Spot& spot) { return spot.nearness != notSeen; }
+bool SelfShade::isSeen(const Spot& spot) { return spot.nearness != notSeen; }
 
 // Puts the picture around the corners of panels, and says where each of them is in it. Returns
 // false where there are none.
-bool SunShade::frame(std::span<const Vec3> places, std::span<const std::array<float, 3>> normals,
-                     std::span<const Corners> panels, std::span<const std::uint8_t> present)
+bool SelfShade::frame(const Vec3& light, std::span<const Vec3> places,
+                      std::span<const std::array<float, 3>> normals,
+                      std::span<const Corners> panels, std::span<const std::uint8_t> present)
 {
-    const Vec3 sun = sunDirection.normalized();
-    const Vec3 across = Vec3::UnitY().cross(sun).normalized();
-    const Vec3 up = sun.cross(across);
+    const Vec3 across = light.unitOrthogonal();
+    const Vec3 up = light.cross(across);
     m_spots.assign(places.size(), {0.0F, 0.0F, notSeen});
     Eigen::AlignedBox2f box;
     for (std::size_t i = 0; i < panels.size(); ++i)
@@ -40,10 +39,10 @@ bool SunShade::frame(std::span<const Vec3> places, std::span<const std::array<fl
             Spot& spot = m_spots[std::size_t(corner)];
             if (!present[i] || isSeen(spot) || !place.allFinite())
                 continue;
-            spot = {float(across.dot(place)), float(up.dot(place)), float(sun.dot(place))}; // m
+            spot = {float(across.dot(place)), float(up.dot(place)), float(light.dot(place))}; // m
             const auto& [x, y, z] = normals[std::size_t(corner)];
             const Vec3 normal(x, y, z);
-            const double facing = normal.dot(sun);
+            const double facing = normal.dot(light);
             spot.isOnEdge = std::abs(facing) < leastFacing;
             spot.riseAcross = float(-normal.dot(across) / facing);
             spot.riseUp = float(-normal.dot(up) / facing);
@@ -62,7 +61,7 @@ bool SunShade::frame(std::span<const Vec3> places, std::span<const std::array<fl
     return true;
 }
 
-void SunShade::draw(const Spot& a, const Spot& b, const Spot& c)
+void SelfShade::draw(const Spot& a, const Spot& b, const Spot& c)
 {
     if (!isSeen(a) || !isSeen(b) || !isSeen(c))
         return;
@@ -74,7 +73,7 @@ void SunShade::draw(const Spot& a, const Spot& b, const Spot& c)
                  });
 }
 
-float SunShade::shadeOf(const Spot& spot) const
+float SelfShade::shadeOf(const Spot& spot) const
 {
     if (!isSeen(spot) || spot.isOnEdge)
         return 0.0F;
@@ -90,12 +89,12 @@ float SunShade::shadeOf(const Spot& spot) const
     return float(count) / float(all);
 }
 
-void SunShade::cast(std::span<const Vec3> places, std::span<const std::array<float, 3>> normals,
-                    std::span<const Corners> panels, std::span<const std::uint8_t> present,
-                    std::span<float> shade)
+void SelfShade::cast(const Vec3& light, std::span<const Vec3> places,
+                     std::span<const std::array<float, 3>> normals, std::span<const Corners> panels,
+                     std::span<const std::uint8_t> present, std::span<float> shade)
 {
     std::ranges::fill(shade, 0.0F);
-    if (!frame(places, normals, panels, present))
+    if (!frame(light, places, normals, panels, present))
         return;
     m_nearness.assign(std::size_t(side * side), notSeen);
     for (std::size_t i = 0; i < panels.size(); ++i)
