@@ -51,7 +51,8 @@ bool SelfShade::frame(const Vec3& light, std::span<const Vec3> places,
     if (box.isEmpty())
         return false;
     const float room = reach + 1.0F; // pixels
-    const float perMetre = (side - 2.0F * room) / std::max(box.sizes().maxCoeff(), leastSize);
+    const float perMetre =
+        (float(m_side) - 2.0F * room) / std::max(box.sizes().maxCoeff(), leastSize);
     for (Spot& spot : m_spots)
         if (isSeen(spot)) {
             spot.across = room + perMetre * (spot.across - box.min().x());
@@ -65,7 +66,7 @@ void SelfShade::draw(const Spot& a, const Spot& b, const Spot& c)
 {
     if (!isSeen(a) || !isSeen(b) || !isSeen(c))
         return;
-    forEachPixel(side, {{{a.across, a.up}, {b.across, b.up}, {c.across, c.up}}},
+    forEachPixel(m_side, {{{a.across, a.up}, {b.across, b.up}, {c.across, c.up}}},
                  [&](std::size_t pixel, float ofB, float ofC) {
                      m_nearness[pixel] =
                          std::max(m_nearness[pixel], a.nearness + ofB * (b.nearness - a.nearness)
@@ -83,7 +84,7 @@ float SelfShade::shadeOf(const Spot& spot) const
         for (int x = column - reach; x <= column + reach; ++x) {
             const float plane = spot.nearness + spot.riseAcross * (float(x) + 0.5F - spot.across)
                                 + spot.riseUp * (float(y) + 0.5F - spot.up);
-            count += m_nearness[std::size_t(y * side + x)] > plane + sameSurface;
+            count += m_nearness[std::size_t(y * m_side + x)] > plane + sameSurface;
         }
     constexpr int all = (2 * reach + 1) * (2 * reach + 1);
     return float(count) / float(all);
@@ -96,7 +97,7 @@ void SelfShade::cast(const Vec3& light, std::span<const Vec3> places,
     std::ranges::fill(shade, 0.0F);
     if (!frame(light, places, normals, panels, present))
         return;
-    m_nearness.assign(std::size_t(side * side), notSeen);
+    m_nearness.assign(std::size_t(m_side) * std::size_t(m_side), notSeen);
     for (std::size_t i = 0; i < panels.size(); ++i)
         if (present[i]) {
             const auto& [a, b, c] = panels[i];

@@ -19,7 +19,9 @@ namespace ripstop {
 class SelfShade
 {
 public:
-    static constexpr int side = 256; // pixels, of the picture
+    explicit SelfShade(int side = 256) // pixels, of the picture
+        : m_side(side)
+    {}
 
     // The fabric throws and gets the shade; what is not finite does neither.
     //     light    unit, towards it, far away
@@ -47,6 +49,7 @@ private:
     void draw(const Spot& a, const Spot& b, const Spot& c);
     float shadeOf(const Spot& spot) const;
 
+    int m_side;                    // pixels
     std::vector<Spot> m_spots;     // [particles]
     std::vector<float> m_nearness; // [side * side] pixels, of what is nearest to the light
 };
