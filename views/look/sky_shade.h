@@ -1,10 +1,10 @@
 // How much of the light from all around the fabric keeps from itself: it is darker inside a canopy,
 // between two sails, in the bottom of a fold (ambient occlusion).
 //
-// The fabric is looked at from so many directions, spread evenly (a spiral, Gonzalez 2010), with the
-// shade that it throws for each (self_shade.h); what comes at a slant counts by its cosine. Cloth
-// has two sides, which see two halves of the world. On a slow core that takes 3 ms for a kite and
-// 27 ms for 20 000 panels.
+// The fabric is looked at from so many directions, spread evenly (a spiral, Gonzalez 2010), with
+// the shade that it throws for each (self_shade.h); what comes at a slant counts by its cosine.
+// Cloth has two sides, which see two halves of the world. On a slow core that takes 3 ms for a kite
+// and 27 ms for 20 000 panels.
 #pragma once
 
 #include "look/self_shade.h"
