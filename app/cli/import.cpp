@@ -228,9 +228,12 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
         return fail(Interrupted, "Interrupted; nothing was written.");
     if (!made)
         return fail(BadInput, Message("%1: %2", file, made.message()));
-    for (const PolygonMesh::PackedPicture& picture : made->pictures)
-        if (const auto failure = unpack(picture))
+    std::erase_if(made->pictures, [](const PolygonMesh::PackedPicture& picture) {
+        const auto failure = unpack(picture);
+        if (failure)
             std::cerr << "ripstop-cli: warning: " << failure->message.english() << '\n';
+        return failure.has_value();
+    });
     (void)apply(scene, made->edit);
     const Part& part = *findItem<Part>(scene, made->parts.front());
     if (!fabric.isPerFileMaterial) { // the next file is of the same
