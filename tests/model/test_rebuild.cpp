@@ -4,12 +4,10 @@
 // again with the same and with each other parameter, where what was tuned by hand must stay; then
 // what is lost is counted, and parts are detached. after() checks undo for each edit. A new
 // builder is covered without a change here.
-#include "author/rebuild.h"
 #include "check/check.h"
 #include "io/scene_file.h"
-#include "materials/neighbours.h"
+#include "model/rebuilding.h"
 #include "registered_test.h"
-#include "shaping/insert.h"
 #include "shaping/transform.h"
 
 #include <QtTest>
@@ -18,94 +16,9 @@
 
 namespace ripstop::test_rebuild {
 
+using namespace rebuilding;
+
 namespace {
-
-Scene built(const char* name, const Parameters& given = {})
-{
-    const Result<Scene> scene = build(*findBuilder(name), given);
-    if (!scene)
-        qFatal("%s", scene.message().english().c_str());
-    return *scene;
-}
-
-Id partId(const Scene& scene, std::size_t index = 0)
-{
-    std::vector<Id> ids;
-    forEachPart(scene, [&](Id id, const Part&) { ids.push_back(id); });
-    return ids[index];
-}
-
-const Part& part(const Scene& scene, std::size_t index = 0)
-{
-    return *findItem<Part>(scene, partId(scene, index));
-}
-
-template <typename T>
-T* itemNamed(Scene& scene, std::string_view name)
-{
-    for (Entry& entry : scene.items)
-        if (T* item = std::get_if<T>(&entry.item); item && item->name == name)
-            return item;
-    return nullptr;
-}
-
-// The scene after the edit; the inverse must lead back, but for the counter of ids.
-Scene after(Scene scene, const Edit& edit)
-{
-    Scene back = scene;
-    const Edit inverse = apply(back, edit);
-    const Scene changed = back;
-    (void)apply(back, inverse);
-    back.nextId = scene.nextId;
-    if (!(back == scene))
-        qFatal("undo does not restore the scene");
-    return changed;
-}
-
-Scene inserting(const Scene& scene, const char* name, InsertWish wish = {},
-                const Parameters& given = {})
-{
-    wish.label = name;
-    return after(scene, inserted(groundOf(scene), built(name, given), wish).edit);
-}
-
-Scene changing(const Scene& scene, const Parameters& given, std::size_t index = 0)
-{
-    Parameters parameters = chosenNow(scene, partId(scene, index)).parameters;
-    for (const auto& [key, value] : given)
-        parameters[key] = value;
-    const Result<Rebuilt> again = rebuilt(scene, partId(scene, index), parameters);
-    if (!again)
-        qFatal("%s", again.message().english().c_str());
-    return after(scene, again->edit);
-}
-
-Id materialNamed(const Scene& scene, std::string_view name)
-{
-    for (const Entry& entry : scene.items)
-        if (const auto* material = std::get_if<Material>(&entry.item);
-            material && material->name == name)
-            return entry.id;
-    return noId;
-}
-
-double massOf(const Scene& scene)
-{
-    double sum = 0.0;
-    for (const Particle& particle : part(scene).particles)
-        sum += particle.mass;
-    return sum;
-}
-
-// Of the links of a material, m.
-double lengthOf(const Scene& scene, std::string_view material)
-{
-    double sum = 0.0;
-    for (const Link& link : part(scene).links)
-        if (link.material == materialNamed(scene, material))
-            sum += link.restLength;
-    return sum;
-}
 
 bool isClean(const Scene& scene)
 {
@@ -333,62 +246,6 @@ private slots:
         QVERIFY(!itemNamed<Wind>(changed, "gusts"));
         QVERIFY(!itemNamed<Group>(changed, "tail nodes"));
         QVERIFY(isClean(changed));
-    }
-
-    // A line of the library is exchanged twice: nothing of that is lost with another parameter, and
-    // a parameter that is about the line itself wins.
-    void exchangedMaterialsStay()
-    {
-        const Parameters real{{"cloth", 2}, {"spars", 1}, {"cord", 3}};
-        Scene first = inserting({}, "delta_kite", {}, real);
-        Scene scene = first;
-        const auto stronger = [&] {
-            const Result<StepEdit> step =
-                stepEdit(scene, {materialNamed(scene, "line")}, MaterialStep::Stronger);
-            QVERIFY(step);
-            scene = after(scene, step->edit.edit);
-        };
-        stronger();
-        stronger();
-        const double density = *itemNamed<Material>(scene, "line")->linearDensity;
-        const double densityAtFirst = *itemNamed<Material>(first, "line")->linearDensity;
-        QVERIFY(density > densityAtFirst);
-        QVERIFY(handWork(scene, partId(scene)).isNothing());
-
-        // what is added of the line weighs what the line is made of by now: kg/m times m
-        const Parameters wish{{"line_length", part(scene).parameters.at("line_length") + 5.0}};
-        Scene longer = changing(scene, wish);
-        QCOMPARE(*itemNamed<Material>(longer, "line")->linearDensity, density);
-        QVERIFY(handWork(longer, partId(longer)).isNothing());
-        const Scene asBought = changing(first, wish);
-        QVERIFY(std::abs(lengthOf(longer, "line") - lengthOf(scene, "line") - 5.0) < 1e-9);
-        const double more = massOf(longer) - massOf(scene);
-        const double atFirst = massOf(asBought) - massOf(first);
-        QVERIFY(std::abs(more - atFirst - 5.0 * (density - densityAtFirst)) < 1e-12);
-
-        // LTC65 is no line that the builder offers, and is told
-        ChosenNow now = chosenNow(scene, partId(scene));
-        const auto staying = [&] { return rebuilt(scene, partId(scene), now.parameters)->staying; };
-        QCOMPARE(staying().at(0).preset->name, std::string("liros_ltc65"));
-        now.parameters["cord"] = 1;
-        QVERIFY(staying().empty());
-
-        // LTC80 is one, so that the line of before can be chosen again
-        scene = after(
-            scene,
-            presetEdit(scene, **findPreset("liros_ltc80"), {materialNamed(scene, "line")})->edit);
-        QCOMPARE(chosenNow(scene, partId(scene)).parameters.at("cord"), 4.0);
-        Scene back = changing(scene, {{"cord", 3}});
-        QCOMPARE(*itemNamed<Material>(back, "line")->linearDensity, densityAtFirst);
-        QVERIFY(std::abs(massOf(back) - massOf(first)) < 1e-12);
-
-        // another line, and the kite is that which is built with it
-        const Scene other = changing(scene, {{"cord", 1}});
-        Parameters asked = real;
-        asked["cord"] = 1;
-        const Scene wanted = inserting({}, "delta_kite", {}, asked);
-        QVERIFY(handWork(other, partId(other)).isNothing());
-        QVERIFY(std::abs(massOf(other) - massOf(wanted)) < 1e-12);
     }
 
     // A part that was moved, turned and renamed is built again where it is.
