@@ -325,7 +325,9 @@ private slots:
             } else if (header.contains('.') || header.contains('/') || header[0].isUpper()) {
                 // not the standard library
                 QVERIFY2(std::any_of(libraries.begin(), libraries.end(),
-                                     [&](const QString& p) { return header.startsWith(p); }),
+                                     [&, header = header](const QString& p) {
+                                         return header.startsWith(p);
+                                     }),
                          qPrintable(header + " is of a library that " + place.path
                                     + " may not use here"));
             }

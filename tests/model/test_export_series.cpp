@@ -64,7 +64,7 @@ std::vector<Triangle> trianglesOf(const PolygonMesh& mesh)
         for (std::size_t k = 0; k < 3; ++k)
             for (Eigen::Index x = 0; x < 3; ++x)
                 triangle[k][std::size_t(x)] = mesh.points[std::size_t(mesh.face(i)[k])][x];
-        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
         triangles.push_back(triangle);
     }
     std::ranges::sort(triangles);

@@ -40,8 +40,8 @@ public:
     using Row = std::pair<Ends, int>;
     std::span<const Row> at(const Ends& side) const
     {
-        const auto [first, last] = std::ranges::equal_range(m_sides, side, {}, &Row::first);
-        return {first, last};
+        return {std::ranges::lower_bound(m_sides, side, {}, &Row::first),
+                std::ranges::upper_bound(m_sides, side, {}, &Row::first)};
     }
     const std::vector<Row>& sides() const { return m_sides; } // ascending
 

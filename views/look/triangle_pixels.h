@@ -20,7 +20,8 @@ void forEachPixel(int side, const std::array<std::array<float, 2>, 3>& corners, 
     if (twiceArea == 0.0F)
         return;
     const auto range = [&](std::size_t axis) {
-        const auto [low, high] = std::minmax({a[axis], b[axis], c[axis]});
+        const auto [low, high] =
+            std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
         return std::pair(std::max(0, int(std::ceil(low - 0.5F))),
                          std::min(side - 1, int(std::floor(high - 0.5F))));
     };
