@@ -93,7 +93,7 @@ private:
     // runs on the other thread; returns the failure, or an empty text
     QString write(const Job& job);
     QString writeBundle(const Job& job);
-    Result<std::unique_ptr<FrameSink>> open(const Job& job);
+    Result<std::unique_ptr<FrameSink>> sinkFor(const Job& job);
     void watch();
     void setBusy(bool busy);
     void end(const QString& failure);

@@ -78,7 +78,7 @@ QString ExportDialog::writeNow() const
     return failure ? translated(failure->message) : QString();
 }
 
-Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
+Result<std::unique_ptr<FrameSink>> ExportDialog::sinkFor(const Job& job)
 {
     if (const FilmFormat* film = job.choice.film())
         return openFilm(*film, job.target, job.picturesPerSecond, drawnBy(this, m_draw, job.look));
@@ -122,7 +122,7 @@ QString ExportDialog::write(const Job& job)
             return translated(flight.message());
         source = std::move(*flight);
     }
-    const auto sink = open(job);
+    const auto sink = sinkFor(job);
     if (!sink)
         return translated(sink.message());
     const auto failure = exportSeries(*source, job.range, **sink, [this](double done) {
