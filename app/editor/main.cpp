@@ -37,6 +37,7 @@
 #include <QSurfaceFormat>
 
 #include <algorithm>
+#include <clocale>
 #include <cstdio>
 #include <optional>
 #include <span>
@@ -45,6 +46,10 @@
 using namespace ripstop;
 
 namespace {
+
+// Qt takes over the locale of the session, and with it the comma that numbers of shaders, files and
+// messages would get. What the screen shows is written by QLocale, which does not ask here.
+void keepDecimalPoint() { std::setlocale(LC_NUMERIC, "C"); }
 
 int refuse(const QString& message, int exitCode)
 {
@@ -105,6 +110,7 @@ int main(int argc, char** argv)
     QString error;
     if (asksOnly(argc, argv)) {
         const QCoreApplication asked(argc, argv);
+        keepDecimalPoint();
         if (asked.arguments().contains("--table-texts")) // for scripts/translations
             return std::puts(qPrintable(tableTexts().join('\n'))) < 0;
         const Translation translation(keptLanguage());
@@ -120,6 +126,7 @@ int main(int argc, char** argv)
 
     auto check = std::make_optional<DisplayCheck>();
     QApplication application(argc, argv);
+    keepDecimalPoint();
     check.reset();
     QApplication::setWindowIcon(applicationIcon());
     Translation translation(keptLanguage());

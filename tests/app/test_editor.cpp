@@ -271,6 +271,30 @@ private slots:
         QVERIFY(file.readAll().contains("<text"));
     }
 
+    // Shaders and files are written with a point, whatever the session's numbers have.
+    void drawsTheSameInASessionWithCommas()
+    {
+        const QTemporaryDir folder;
+        const Finished made =
+            run("localedef", {"-i", "fr_FR", "-f", "UTF-8", folder.filePath("fr_FR.UTF-8")});
+        QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+        const auto pictureIn = [&](const QString& locale) {
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("LOCPATH", folder.path());
+            environment.insert("LC_ALL", locale);
+            const QString picture = folder.filePath(locale + ".png");
+            const Finished done =
+                run(EDITOR_PROGRAM,
+                    {samples + "delta_kite.ripstop.json", "--screenshot", picture, "--after", "0.1",
+                     "--view-only", "--size", "900x600", "--language", "en"},
+                    environment);
+            return done.exitCode == 0 && done.error.isEmpty() ? QImage(picture) : QImage();
+        };
+        const QImage french = pictureIn("fr_FR.UTF-8");
+        QVERIFY(!french.isNull());
+        QCOMPARE(french, pictureIn("C.UTF-8"));
+    }
+
     void helpsWithoutADisplay()
     {
         const Finished help = run(EDITOR_PROGRAM, {"--help"}, withoutDisplay());
