@@ -10,17 +10,20 @@
 // All of it looks at the system and never at the clock, so that every machine chooses alike.
 #include "constraints/direct_choice.h"
 
+#include "constraints/block_cholesky.h"
 #include "constraints/direct_solver.h"
 
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <unordered_map>
 
 namespace ripstop {
 namespace {
 
 constexpr int mostParticles = 500;
 constexpr std::size_t mostProducts = 20000;
+constexpr double mostProductsOfThin = 20.0; // for each particle
 constexpr double manySweeps = 200.0;
 constexpr double heavyLoad = 30.0;   // over the median mass
 constexpr double heavyInLine = 10.0; // over the median mass of its neighbours
@@ -342,6 +345,25 @@ public:
         return !trial.rods().empty() && trial.products() <= mostProducts;
     }
 
+    // Whether a factorisation takes a time that grows as the particles do.
+    bool isThin(std::size_t n) const
+    {
+        std::unordered_map<int, int> places; // of particles, in the order of the rods
+        const auto placeOf = [&](int particle) {
+            return places.try_emplace(particle, int(places.size())).first->second;
+        };
+        std::vector<std::pair<int, int>> pairs;
+        for (const int r : m_rods[n]) {
+            const Rod& rod = m_system.rods[std::size_t(r)];
+            if (m_network[rod.a] < 0 || m_network[rod.b] < 0)
+                continue;
+            const int a = placeOf(rod.a), b = placeOf(rod.b);
+            pairs.emplace_back(a, b);
+        }
+        return BlockCholesky::countProducts(places.size(), pairs)
+               <= mostProductsOfThin * double(m_masses[n].size());
+    }
+
 private:
     struct Traits
     {
@@ -415,11 +437,12 @@ std::vector<int> rodsForDirect(const System& system)
     return rods;
 }
 
-std::vector<int> rodsOfSmallFabric(const System& system)
+std::vector<int> rodsOfCheapNetworks(const System& system)
 {
     const Networks networks(system);
-    return networks.rodsOf(
-        [&](std::size_t n) { return networks.hasPanels(n) && networks.isSmall(n); });
+    return networks.rodsOf([&](std::size_t n) {
+        return networks.hasPanels(n) ? networks.isSmall(n) : networks.isThin(n);
+    });
 }
 
 std::vector<int> rodsOfFlyingFabric(const System& system)

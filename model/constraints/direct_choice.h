@@ -24,9 +24,12 @@
 // has at most 20 000 products of blocks, about 60 us, and else only its rigging. All blocks
 // together have at most 500 particles, and the slowest candidates come first.
 //
-// - *Small fabric*: all rods of a network of at most as many particles and products that has
-//   panels. What air does to a kite or a glider is many times its weight, and sweeps that hold it
-//   to 1 % take some 40 substeps, shake it and bring energy in; a block holds it to 0.01 % in one.
+// - *Cheap networks*: all rods of a network of at most as many particles and products that has
+//   panels, and of one without them that takes at most 20 products for each particle, as lines and
+//   trusses of any size do. What air does to a kite or a glider is many times its weight, and
+//   sweeps that hold it to 1 % take some 40 substeps, shake it and bring energy in; a block holds
+//   it to 0.01 % in one. A bob on a line and a line between two pins gain energy from sweeps
+//   without end, and break away.
 //
 // - *Flying fabric*: all rods of a network of any size that has panels, none of them at a pin, and
 //   that ends in pins, as a kite does by its lines, or carries a particle 30 times as heavy as half
@@ -46,7 +49,7 @@ namespace ripstop {
 // the system: they are called when the automatic solver makes its plan (step/solver_plan.h), not in
 // each step.
 std::vector<int> rodsForDirect(const System& system);
-std::vector<int> rodsOfSmallFabric(const System& system);
+std::vector<int> rodsOfCheapNetworks(const System& system);
 std::vector<int> rodsOfFlyingFabric(const System& system);
 
 // All rods of the networks that have a rod like this, whatever their size.

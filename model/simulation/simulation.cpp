@@ -263,6 +263,7 @@ void Simulation::Private::noteAccuracy()
     accuracy.strain = last.strain;
     accuracy.wantedPulls = system().accuracy;
     accuracy.wantedStrain = system().strainGoal;
+    accuracy.isAutomatic = system().solver == Solver::Auto;
     ++accuracy.steps;
     accuracy.missed += ratio > 1.0;
     if (ratio > accuracy.worst) {

@@ -1,10 +1,10 @@
 // planFor() gives rods to the global solve for five reasons: spars that bend; rods of real
-// stiffness, whose pulls sweeps would need too many substeps for (substepsForPull); small fabric,
-// whatever its load; heavy loads on lines, of which worstRod() finds the rod that needs most
-// substeps, from the load that it estimates by the mass that Networks sums, joined by rods without
-// passing a pin or a guide; and whatever else would need far too many. The worst rod that is left
-// then decides the substeps, at least as many as the stiffness of the forces needs. Planner notes
-// the reasons.
+// stiffness, whose pulls sweeps would need too many substeps for (substepsForPull); networks that
+// are cheap to factorise, whatever their load; heavy loads on lines, of which worstRod() finds the
+// rod that needs most substeps, from the load that it estimates by the mass that Networks sums,
+// joined by rods without passing a pin or a guide; and whatever else would need far too many. The
+// worst rod that is left then decides the substeps, at least as many as the stiffness of the forces
+// needs. Planner notes the reasons.
 //
 // While the system runs, adaptedSubsteps() follows the error that is measured.
 #include "step/solver_plan.h"
@@ -331,9 +331,9 @@ SolverPlan planFor(const System& system)
                        count, rest);
     });
     if (mayHaveBlocks)
-        planner.give(rodsOfSmallFabric(system), [](std::size_t count, const Message& rest) {
-            return Message("%1 rods are solved directly, since they hold fabric that is small "
-                           "enough for it; %2",
+        planner.give(rodsOfCheapNetworks(system), [](std::size_t count, const Message& rest) {
+            return Message("%1 rods are solved directly, which costs little for what they join; "
+                           "%2",
                            count, rest);
         });
     if (system.airDensity > 0.0 && system.inverseMass.size() <= mostRigid)

@@ -11,7 +11,7 @@
 //
 // substeps of the step T; 1.5 is what square cloths of 10 to 100 particles a side need. Where n is
 // above 100 in 10 ms, and a direct block (direct_choice.h) can have such rods, it gets them; small
-// kites and gliders go there as a whole.
+// kites and gliders, and all lines, go there as a whole.
 //
 // A rod of compliance c it finds softer by the share h^2 (wa + wb) / c. Where that takes more than
 // 40 substeps to come down to the wanted accuracy, all rods of the network go to the global solve
