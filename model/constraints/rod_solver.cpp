@@ -101,9 +101,14 @@ void RodSolver::takeTensions(const RodTask& task, ThreadPool& pool, std::span<do
     else if (task.solver != Solver::Direct)
         for (std::size_t i = 0; i < m_sum.size(); ++i)
             tension[i] = m_sum[i] * newtons;
+    takeDirectTensions(tension);
+    m_substeps = 0;
+}
+
+void RodSolver::takeDirectTensions(std::span<double> tension) const
+{
     for (const int rod : m_direct.rods())
         tension[std::size_t(rod)] = m_tension[std::size_t(rod)];
-    m_substeps = 0;
 }
 
 // The direct solver has all rods, those that are marked, or none; and all elastic panels.

@@ -57,6 +57,9 @@ public:
     // rods that are solved directly it is that of the last substep.
     void takeTensions(const RodTask& task, ThreadPool& pool, std::span<double> tension);
 
+    // Those alone, which are true in each substep.
+    void takeDirectTensions(std::span<double> tension) const;
+
     // What the global solve of the last substep has left unsolved, as an error of its pulls, 1.
     double residual() const { return m_direct.isEmpty() ? 0.0 : m_direct.residual(); }
 

@@ -420,7 +420,9 @@ void Stepper::project(RodTask& task, State& state, double h)
     m_rods.project(task, m_pool);
     // Of single sweeps the tension of one substep says little; rods then tear by the mean over the
     // step before.
-    if (m_tearsByForce && task.solver != Solver::SmallSteps)
+    if (m_tearsByForce && task.solver == Solver::SmallSteps)
+        m_rods.takeDirectTensions(state.rodTension);
+    else if (m_tearsByForce)
         m_rods.takeTensions(task, m_pool, state.rodTension);
 }
 

@@ -19,7 +19,6 @@ public:
 
     Key key(int particle) const;
     Key linkKey(int link) const;
-    Key sceneLink(int link) const { return m_origins.link(linkKey(link)); }
     const Vec3& position(int particle) const; // m, now
 
     // Panels that are gone are passed over by all of these.

@@ -42,7 +42,10 @@ struct TearScratch
 // Breaks links and panels above their limit (above, not at) and notes the events. A rod is judged
 // by its length before projection, since none is ever long afterwards, or by its multiplier.
 //
-// Without System::tearsPerStep all of them break, in order: the links, then the panels, then spars
+// Of links that are one line, as nothing else meets where they do, the most overloaded breaks
+// alone: the others lose their load by it, and are judged again in the next substep.
+//
+// Without System::tearsPerStep all others break, in order: the links, then the panels, then spars
 // by their moments, the worst first, as the pieces beside a spar that has snapped lose theirs. With
 // it, the most overloaded break first and of equals the first in that order; who is left over is
 // judged again in the next substep, when the breaks have moved the load.
