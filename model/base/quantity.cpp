@@ -39,7 +39,7 @@ constexpr std::array table{
     QuantityRow{Quantity::HighStrain,      "", Of::Links, 1, "What 95 of 100 links that have not torn stay below."},
     QuantityRow{Quantity::Length,          "m", Of::Links, 1, "Of all links together, as they are stretched."},
     QuantityRow{Quantity::Area,            "m\u00b2", Of::Panels, 1, "Of all panels together, as they are stretched."},
-    QuantityRow{Quantity::Reaction,        "N", Of::Particles, 1, "What holds the pinned particles against links, air and weight."},
+    QuantityRow{Quantity::Reaction,        "N", Of::Particles, 1, "What holds the pinned particles against links, panels, air and weight."},
     QuantityRow{Quantity::Lift,            "N", Of::Panels, 1, "Air force across the relative wind, upwards."},
     QuantityRow{Quantity::Drag,            "N", Of::Panels, 1, "Air force along the relative wind."},
     QuantityRow{Quantity::LiftToDrag,      "", Of::Panels, 1, "Lift over drag."},

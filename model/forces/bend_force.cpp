@@ -57,19 +57,8 @@ namespace {
 void fillLoads(const System& system, const State& state, BendScratch& bends, std::size_t i)
 {
     const BendLists& lists = system.of<BendLists>();
-    const Bend& bend = lists.spars()[i];
-    PaddedVec3* const load = &bends.load[3 * (lists.panels.size() + i)];
-    if (isCut(system, state, bend)) {
-        std::fill_n(load, 3, PaddedVec3());
-        return;
-    }
-    const SparTurn spar = turnOf(bend, waysOf(bend, state));
-    const double size = bend.restTurn > 0.0 ? spar.turn.norm() : 0.0;
-    const double left = size > 0.0 ? 1.0 - bend.restTurn / size : 1.0;
-    const Vec3 moment = bend.stiffness * left * spar.turn;
-    load[1] = -spar.slope[0] * moment;
-    load[2] = -spar.slope[1] * moment;
-    load[0] = -(load[1] + load[2]);
+    std::ranges::copy(pullsOfSpar(system, state, lists.spars()[i]),
+                      &bends.load[3 * (lists.panels.size() + i)]);
 }
 
 BendingNet bendingNetOf(const System& system)
@@ -195,6 +184,18 @@ bool isCut(const System& system, const State& state, const Bend& spar)
 {
     return isTorn(system.links[std::size_t(spar.of[0])], state)
            || isTorn(system.links[std::size_t(spar.of[1])], state);
+}
+
+std::array<Vec3, 3> pullsOfSpar(const System& system, const State& state, const Bend& spar)
+{
+    if (isCut(system, state, spar))
+        return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    const SparTurn at = turnOf(spar, waysOf(spar, state));
+    const double size = spar.restTurn > 0.0 ? at.turn.norm() : 0.0;
+    const double left = size > 0.0 ? 1.0 - spar.restTurn / size : 1.0;
+    const Vec3 moment = spar.stiffness * left * at.turn;
+    const Vec3 first = -at.slope[0] * moment, second = -at.slope[1] * moment;
+    return {-(first + second), first, second};
 }
 
 double bendingMoment(const System& system, const State& state, const Bend& spar)

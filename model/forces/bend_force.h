@@ -32,6 +32,9 @@ bool isCut(const System& system, const State& state, const Bend& spar);
 // panel, or a link of the spar, is gone.
 void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends);
 
+// N, on the particle of a spar and on the outer ends of its links; 0 where one of these has torn.
+std::array<Vec3, 3> pullsOfSpar(const System& system, const State& state, const Bend& spar);
+
 // N m, of a spar at the particle that its two links share; 0 where one of them has torn.
 double bendingMoment(const System& system, const State& state, const Bend& spar);
 

@@ -1,10 +1,15 @@
 // Most functions go once over the particles, links or panels that a probe names.
 //
 // Torn links and panels that are gone are left out of strains, lengths and areas. reaction() marks
-// the pinned particles of the probe first, then adds up their weight, the tension of all links with
-// one marked end, and a third of the air load of a panel for each marked corner; what holds them is
-// the opposite of that. A link between two marked particles is passed over, as it cancels itself.
+// the pinned particles of the probe first, then adds up what acts on them: their weight, the
+// tension of links with one marked end (of one with two it cancels itself), the pull of elastic
+// panels and of spars that bend, and a third of the air load of a panel for each marked corner.
+// What holds them is the opposite of that. The bending of cloth is left out, as it is too little to
+// be read.
 #include "measure/motion.h"
+
+#include "forces/bend_force.h"
+#include "system/membrane.h"
 
 #include <Eigen/Geometry>
 
@@ -90,6 +95,25 @@ Vec3 reaction(const ProbeSpec& probe, Readings& readings)
         for (const int corner : system.panels[p].corner)
             if (held[std::size_t(corner)])
                 load += readings.panelLoad()[p] / 3.0;
+    const auto isHeld = [&](int particle) { return held[std::size_t(particle)] != 0; };
+    for (const Membrane& membrane : system.membranes) {
+        const auto& corner = system.panels[std::size_t(membrane.panel)].corner;
+        if (state.panelGone[std::size_t(membrane.panel)] || std::ranges::none_of(corner, isHeld))
+            continue;
+        const Corners pulls =
+            pullsOnCorners(system, membrane, cornersOf(system, membrane, state.position));
+        for (std::size_t i = 0; i < 3; ++i)
+            if (isHeld(corner[i]))
+                load += pulls[i];
+    }
+    for (const Bend& bend : system.of<BendLists>().list) {
+        if (!bend.ofSpar)
+            continue;
+        const std::array<Vec3, 3> pulls = pullsOfSpar(system, state, bend);
+        for (std::size_t i = 0; i < 3; ++i)
+            if (isHeld(bend.corner[i]))
+                load += pulls[i];
+    }
     return -load;
 }
 

@@ -68,6 +68,21 @@ ClothTension tensionIn(const System& system, const Membrane& membrane, const Cor
     return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
 }
 
+// The slope of A w(e), e1 and e2 being half of the squares of the axes and g their product.
+Corners pullsOnCorners(const System& system, const Membrane& membrane, const Corners& corners)
+{
+    const Vec3 tension = tensionIn(system, membrane, corners).tension;
+    const auto [warp, weft] = axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]);
+    Corners pulls;
+    for (int i = 0; i < 3; ++i) {
+        const auto [alongWarp, alongWeft] = gradient(membrane, i);
+        pulls[std::size_t(i)] = -membrane.area
+                                * ((tension[0] * alongWarp + tension[2] * alongWeft) * warp
+                                   + (tension[1] * alongWeft + tension[2] * alongWarp) * weft);
+    }
+    return pulls;
+}
+
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
 {
     const ClothLaw law = lawOf(system, membrane);

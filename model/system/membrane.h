@@ -54,7 +54,10 @@ inline Vec3 strainAt(const Membrane& membrane, const Corners& corners)
 // What a panel carries with its corners at these places; without what damping adds.
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners);
 
-// The same in the numbers that people read.
+// N, on its corners, likewise.
+Corners pullsOnCorners(const System& system, const Membrane& membrane, const Corners& corners);
+
+// What it carries in the numbers that people read.
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners);
 
 // What a strain stretches most, 1; 0 where it shortens all around.

@@ -186,6 +186,72 @@ private slots:
         QVERIFY(std::abs(read[2]) < 1e-12);
     }
 
+    // A triangle of elastic cloth, 1 m high, that hangs from its upper side and is stretched by 1 %
+    // by a weight at its tip. Nothing goes across, so that the pull is A S h with the area A = 1/2,
+    // S = E t (h^2 - 1) / 2 along the weft, and the way of the tip 1 / (1 m).
+    void reactionOfElasticCloth()
+    {
+        const double height = 1.01;
+        const double pull = 0.5 * 1000.0 * 0.5 * (height * height - 1.0) * height;
+        Material cloth;
+        cloth.membraneStiffness = cloth.weftStiffness = 1000.0;
+        cloth.shearStiffness = 500.0;
+        cloth.poissonRatio = 0.0;
+        Part part;
+        part.carrier = FabricKind::Panels;
+        part.particles = {{.id = Id{10}, .position = Vec3(-0.5, 0, 0), .mass = 0.1, .pinned = true},
+                          {.id = Id{11}, .position = Vec3(0.5, 0, 0), .mass = 0.1, .pinned = true},
+                          {.id = Id{12}, .position = Vec3(0, -height, 0), .mass = pull / g}};
+        part.panels = {{.id = Id{13},
+                        .a = Id{10},
+                        .b = Id{11},
+                        .c = Id{12},
+                        .material = Id{2},
+                        .restAB = 1.0,
+                        .restBC = std::hypot(0.5, 1.0),
+                        .restCA = std::hypot(0.5, 1.0)}};
+        Bench bench;
+        bench.scene.items = {{Id{1}, part}, {Id{2}, cloth}};
+        bench.scene.nextId = Id{30};
+        bench.add({.quantity = Quantity::Reaction, .target = Id{1}});
+        for (const int steps : {0, 20}) {
+            const double read = bench.read(steps)[0];
+            QVERIFY2(std::abs(read - (pull + 0.2 * g)) < 1e-6 * pull,
+                     qPrintable(QString::number(read, 'g', 12)));
+        }
+    }
+
+    // A straight spar of two links of 1 m, clamped by two pins, of which the second link is turned
+    // by 0.01. The pins hold, in the sum, what its moment pulls at the free end, 1 m away.
+    void reactionOfASpar()
+    {
+        Material spar;
+        spar.flexuralRigidity = 2.0;
+        Part part;
+        part.particles = {{.id = Id{10}, .position = Vec3(-1, 0, 0), .mass = 1.0, .pinned = true},
+                          {.id = Id{11}, .position = Vec3(0, 0, 0), .mass = 1.0, .pinned = true},
+                          {.id = Id{12}, .position = Vec3(1, 0, 0), .mass = 1.0}};
+        part.links = {{.id = Id{13}, .from = Id{10}, .to = Id{11}, .material = Id{2}},
+                      {.id = Id{14}, .from = Id{11}, .to = Id{12}, .material = Id{2}}};
+        Bench bench;
+        bench.scene.settings.gravity = Vec3::Zero();
+        bench.scene.items = {{Id{1}, part}, {Id{2}, spar}};
+        bench.scene.nextId = Id{30};
+        bench.add({.quantity = Quantity::Reaction, .target = Id{1}});
+        bench.add({.quantity = Quantity::BendingMoment, .target = Id{1}});
+        const auto system = compile(bench.scene);
+        QVERIFY(system);
+        Simulation simulation(*system);
+        State state = simulation.state();
+        state.position[2] = Vec3(std::cos(0.01), std::sin(0.01), 0.0);
+        simulation.place(std::move(state));
+        const double read = simulation.frame()->probe.front();  // N
+        const double moment = simulation.frame()->probe.back(); // N m
+        QVERIFY(moment > 0.99 * 2.0 * 0.01);
+        QVERIFY2(std::abs(read - moment) < 1e-4 * moment,
+                 qPrintable(QString::number(read, 'g', 12)));
+    }
+
     // What falls is accelerated by g; before the first step nothing is known of that.
     void freeFall()
     {
