@@ -62,6 +62,17 @@ std::vector<std::string> idleOnes(const Builder& builder, const Parameters& give
     return idle;
 }
 
+// What is offered of a material that one can buy, and is ideal because of numbers of one's own.
+std::vector<std::string_view> idealOnes(const Builder& builder, const Parameters& design)
+{
+    std::vector<std::string_view> ideal;
+    for (const Parameter& parameter : builder.parameters)
+        if (parameter.offered && !parameter.choices.empty()
+            && !design.contains(std::string(parameter.key)))
+            ideal.push_back(parameter.key);
+    return ideal;
+}
+
 struct BuildOptions
 {
     std::string builder;
@@ -78,9 +89,15 @@ int buildScene(const BuildOptions& options)
     const Result<Parameters> parameters = parametersFrom(*builder, options.parameters);
     if (!parameters)
         return fail(WrongUsage, parameters.message());
-    Result<Scene> scene = build(*builder, newDesign(*builder, *parameters));
+    const Parameters design = newDesign(*builder, *parameters);
+    Result<Scene> scene = build(*builder, design);
     if (!scene)
         return fail(WrongUsage, scene.message());
+    if (const auto cloth = design.find("cloth"); cloth == design.end() || cloth->second != 0.0)
+        for (const std::string_view key : idealOnes(*builder, design))
+            std::cerr << "ripstop-cli: " << key
+                      << " is ideal, as the numbers that are given want it; " << key
+                      << "=NAME chooses one that can be bought.\n";
     for (const std::string& key : idleOnes(*builder, *parameters, *scene))
         std::cerr << "ripstop-cli: warning: " << key
                   << " changes nothing here: it counts beside other parameters only; ripstop-cli "

@@ -18,7 +18,6 @@
 #include "terminal/terminal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -189,13 +188,12 @@ void describe(const std::string& file, const PreparedMesh& mesh, const MeshImpor
     }
 }
 
-// Springs of stiff or light fabric need short substeps. A fifth is left to spare.
+// Springs of stiff or light fabric need short substeps.
 void fitSubsteps(Scene& scene)
 {
     const std::optional<StepLimit> limit = stepLimit(scene);
     if (limit && exceeds(scene.settings, *limit))
-        scene.settings.substeps =
-            int(std::min(1e6, std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
+        scene.settings.substeps = substepsWithin(*limit, scene.settings);
 }
 
 // --- the command -------------------------------------------------------------------------------

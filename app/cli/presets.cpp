@@ -16,7 +16,6 @@
 #include "terminal/terminal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 namespace ripstop {
@@ -51,7 +50,7 @@ void printNotes(const Scene& scene, const PresetEdit& made)
     const Settings& settings = scene.settings;
     if (limit && exceeds(settings, *limit))
         std::cout << "The springs need shorter substeps now: settings.substeps="
-                  << int(std::ceil(1.2 * settings.timeStep / limit->timeStep)) << '\n';
+                  << substepsWithin(*limit, settings) << '\n';
 }
 
 Result<std::vector<Id>> materialsCalled(const Scene& scene, const std::vector<std::string>& names)
@@ -229,7 +228,7 @@ void addPresets(CLI::App& app, Command& chosen)
         "  ripstop-cli presets rope.ripstop.json --apply liros_ltc80 --material cord \\\n"
         "      -o lines.ripstop.json\n"
         "  ripstop-cli presets cloth.ripstop.json --apply skytex_38 --material cloth \\\n"
-        "      --material structural --material shear -o canopy.ripstop.json\n"
+        "      -o canopy.ripstop.json\n"
         "  ripstop-cli presets kite.ripstop.json --material sail --save my_sail\n"
         "  ripstop-cli presets kite.ripstop.json --step lighter --material sail -o light.json");
     command->callback([options, &chosen] {

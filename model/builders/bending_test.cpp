@@ -7,7 +7,6 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
-#include "check/check.h"
 #include "materials/presets.h"
 #include "scene/weigh.h"
 
@@ -175,10 +174,7 @@ Result<Scene> buildBendingTest(const Parameters& p)
     for (const Tip& tip : tips)
         addProbe(scene, tip.name + " slope", Quantity::Elevation, tip.tip, tip.edge);
 
-    // small cells need short substeps; a fifth to spare
-    if (const std::optional<StepLimit> limit = stepLimit(scene))
-        scene.settings.substeps =
-            std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
+    takeShortSubsteps(scene);
     return scene;
 }
 

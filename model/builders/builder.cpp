@@ -172,10 +172,16 @@ Parameters newDesign(const Builder& builder, const Parameters& given)
         return all;
     const auto isIdealBy = [&](std::string_view key) { // by a number that says so
         return std::ranges::any_of(builder.parameters, [&](const Parameter& parameter) {
+            const auto number = given.find(std::string(parameter.key));
             return parameter.needs.key == key && parameter.needs.is == ParameterNeed::Is::Zero
-                   && given.contains(std::string(parameter.key));
+                   && number != given.end() && number->second != parameter.atFirst();
         });
     };
+    // Cloth that one can buy would collapse without the pressure that is not wanted then.
+    for (const Parameter& parameter : builder.parameters)
+        if (parameter.offered && parameter.choices.empty() && isIdealBy(parameter.key)
+            && !given.contains(std::string(parameter.key)))
+            return all;
     for (const Parameter& parameter : builder.parameters)
         if (parameter.offered && !isIdealBy(parameter.key))
             all.emplace(parameter.key, *parameter.offered);

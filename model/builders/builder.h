@@ -107,8 +107,9 @@ Result<Scene> build(const Builder& builder, const Parameters& given);
 Parameters unsaid(const Builder& builder); // every parameter at `initial`
 
 // What is said of a new design, with what is offered for the rest. Who says that its cloth is ideal
-// wants the papers' design, and is offered nothing else; who gives a number that counts beside an
-// ideal material only, as the stiffness of a rope, is not offered a real one there.
+// wants the papers' design, and is offered nothing else; who gives another number than the usual
+// that counts beside an ideal material only, as the stiffness of a rope, is not offered a real one
+// there, and for one that counts without pressure in a canopy only has the papers' canopy.
 Parameters newDesign(const Builder& builder, const Parameters& given);
 
 void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows);

@@ -10,7 +10,6 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
-#include "check/check.h"
 #include "derived/link_stiffness.h"
 
 #include <algorithm>
@@ -369,10 +368,8 @@ Result<Scene> buildCloth(const Parameters& p)
     if (p.at("balance") > 0.0)
         addBalance(scene);
 
-    // stiff or light cloth needs shorter substeps; a fifth to spare
-    if (const std::optional<StepLimit> limit = isOfSprings ? stepLimit(scene) : std::nullopt)
-        scene.settings.substeps =
-            std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
+    if (isOfSprings)
+        takeShortSubsteps(scene);
     return scene;
 }
 

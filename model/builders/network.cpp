@@ -4,6 +4,7 @@
 // from these numbers alone.
 #include "builders/network.h"
 
+#include "check/check.h"
 #include "derived/flat_panel.h"
 
 #include <Eigen/Geometry>
@@ -42,6 +43,12 @@ Id addProbe(Scene& scene, std::string name, Quantity quantity, Id target, Id fro
     probe.target = target;
     probe.from = from;
     return addItem(scene, std::move(probe));
+}
+
+void takeShortSubsteps(Scene& scene)
+{
+    if (const std::optional<StepLimit> limit = stepLimit(scene))
+        scene.settings.substeps = std::max(4, substepsWithin(*limit, scene.settings));
 }
 
 Network::Network(Scene& scene, std::string name)

@@ -20,6 +20,9 @@ Id addGroup(Scene& scene, std::string name, std::vector<Id> members);
 Id addWind(Scene& scene, const Vec3& velocity); // m/s
 Id addProbe(Scene& scene, std::string name, Quantity quantity, Id target = noId, Id from = noId);
 
+// Substeps that springs and bending of the scene are stable in, four at least.
+void takeShortSubsteps(Scene& scene);
+
 class Network
 {
 public:

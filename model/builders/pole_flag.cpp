@@ -9,7 +9,6 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
-#include "check/check.h"
 #include "derived/link_stiffness.h"
 
 #include <algorithm>
@@ -213,10 +212,8 @@ Result<Scene> buildPoleFlag(const Parameters& p)
     addProbe(scene, "upper tie", Quantity::Tension, tie);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
 
-    // stiff or light springs need shorter substeps; a fifth to spare
-    if (const std::optional<StepLimit> limit = isOfSprings ? stepLimit(scene) : std::nullopt)
-        scene.settings.substeps =
-            std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
+    if (isOfSprings)
+        takeShortSubsteps(scene);
     return scene;
 }
 

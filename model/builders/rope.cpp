@@ -6,7 +6,6 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
-#include "check/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,10 +84,8 @@ Result<Scene> buildRope(const Parameters& p)
     addProbe(scene, "tension", Quantity::Tension, firstRod);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
     addProbe(scene, "energy", Quantity::TotalEnergy);
-    if (isOfNumbers && p.at("rigidity") > 0.0) // a fifth to spare
-        if (const std::optional<StepLimit> limit = stepLimit(scene))
-            scene.settings.substeps =
-                std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
+    if (isOfNumbers && p.at("rigidity") > 0.0)
+        takeShortSubsteps(scene);
     return scene;
 }
 

@@ -397,6 +397,14 @@ bool exceeds(const Settings& settings, const StepLimit& limit)
            && !(limit.bends && settings.solver == Solver::Auto);
 }
 
+int substepsWithin(const StepLimit& limit, const Settings& settings)
+{
+    constexpr double spare = 1.2;
+    const Range range = propertyOf<&Settings::substeps>().range;
+    return int(
+        std::clamp(std::ceil(spare * settings.timeStep / limit.timeStep), range.low, range.high));
+}
+
 std::optional<StepLimit> stepLimit(const Scene& scene)
 {
     return limitOf(scene, ElementIndex(scene));

@@ -38,6 +38,9 @@ std::optional<StepLimit> stepLimit(const Scene& scene);
 // where something bends, so that it does not exceed such a limit.
 bool exceeds(const Settings& settings, const StepLimit& limit);
 
+// How many substeps keep to the limit with a fifth to spare; not more than a scene may have.
+int substepsWithin(const StepLimit& limit, const Settings& settings);
+
 bool hasErrors(const std::vector<Finding>& problems);
 
 } // namespace ripstop

@@ -63,6 +63,17 @@ std::optional<Id> toId(std::string_view text)
     return Id{std::uint32_t(*value)};
 }
 
+// The unit of "5 km/h"; empty for a number alone, and where more is to be worked out.
+std::string_view behindNumber(std::string_view text)
+{
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::string_view rest = trimmed({end, std::size_t(text.data() + text.size() - end)});
+    const bool isUnit =
+        error == std::errc() && rest.find_first_of("+-*^()") == rest.npos && !rest.starts_with('/');
+    return isUnit ? rest : std::string_view();
+}
+
 std::string joined(std::span<const std::string_view> words)
 {
     std::string text;
@@ -180,9 +191,14 @@ Reading reading(const Vec3&, std::string_view text, std::string_view unit)
     const auto parts = splitAt(',', text);
     if (parts.size() != 3)
         return {};
+    // "20, 0, 5 km/h": the only unit, behind the last number, is that of all.
+    std::string unitOfAll;
+    if (toNumber(parts[0]) && toNumber(parts[1]))
+        unitOfAll = behindNumber(parts[2]);
     Vec3 vector;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Reading part = reading(0.0, parts[i], unit);
+        const std::string number = std::string(parts[i]) + (i < 2 ? unitOfAll : "");
+        const Reading part = reading(0.0, number, unit);
         if (!part.value)
             return {{}, part.complaint == Message("must be a number") ? Message() : part.complaint};
         vector[Eigen::Index(i)] = std::get<double>(*part.value);

@@ -242,6 +242,24 @@ private slots:
         const Parameters kite = newDesign(*findBuilder("delta_kite"), {{"line_density", 1e-3}});
         QVERIFY(!kite.contains("cord") && kite.contains("cloth") && kite.contains("spars"));
         QCOMPARE(newDesign(*findBuilder("rope"), {{"axial", 1e5}, {"cord", 2.0}}).at("cord"), 2.0);
+        const Parameters canopy = newDesign(*findBuilder("parachute"), {{"drag", 0.5}});
+        QVERIFY(!canopy.contains("pressure") && !canopy.contains("cloth"));
+    }
+
+    // Whoever says what is so anyway gets the design of who says nothing.
+    void whatIsUsualChangesNothing()
+    {
+        for (const Builder& builder : allBuilders()) {
+            const Result<Scene> plain = build(builder, newDesign(builder, {}));
+            QVERIFY2(plain, builder.name.data());
+            for (const Parameter& parameter : builder.parameters) {
+                Parameters design =
+                    newDesign(builder, {{std::string(parameter.key), parameter.atFirst()}});
+                Parameters expected = newDesign(builder, {});
+                expected[std::string(parameter.key)] = parameter.atFirst();
+                QVERIFY2(design == expected, parameter.key.data());
+            }
+        }
     }
 
     void refusesWhatIsWrong()

@@ -197,12 +197,18 @@ private slots:
         QVERIFY(changed(std::monostate(), {Absolute, 2.0}) == Value(2.0));
     }
 
-    // Each number of a vector may have a unit, as in --set.
+    // Each number of a vector may have a unit, as in --set; the only one, at the end, is that of all.
     void vectors()
     {
         const Property& velocity = *findProperty(Kind::Wind, "velocity");
         const auto read = valueFromText(velocity, "36 km/h, 0, 1");
         QVERIFY(read && std::get<Vec3>(*read) == Vec3(10.0, 0.0, 1.0));
+        for (const char* all : {"36, 0, 18 km/h", "36, 0, 18km/h", "10, 0, 5"}) {
+            const auto same = valueFromText(velocity, all);
+            QVERIFY2(same && (std::get<Vec3>(*same) - Vec3(10.0, 0.0, 5.0)).norm() < 1e-12, all);
+        }
+        const auto sum = valueFromText(velocity, "1, 2, 3*2 m/s");
+        QVERIFY(sum && std::get<Vec3>(*sum) == Vec3(1.0, 2.0, 6.0));
         const auto wrong = valueFromText(velocity, "36 kg, 0, 1");
         QVERIFY(!wrong && wrong.message().english().starts_with("wind.velocity must be in m/s"));
     }
