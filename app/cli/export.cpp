@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <optional>
+#include <span>
 
 namespace ripstop {
 namespace {
@@ -61,6 +63,30 @@ std::optional<Failure> write(FrameSource& source, const Scene& scene, const Expo
                      });
 }
 
+// Looks at what is written beside the target and has not been named: nothing that is read, and no
+// mesh that another program has made.
+int refuseFilesBeside(const ExportOptions& options, const Scene& scene, const FileNames& inputs)
+{
+    const ExportFormat* format = formatOf(options.output);
+    if (!format)
+        return Done; // exportRun() says so
+    const auto files = filesOf(*format, options.output, 1, MeshAppearance(scene));
+    for (const std::filesystem::path& file : std::span(files).subspan(1)) { // the target has a name
+        if (isInput(file.string(), inputs))
+            return WrongUsage;
+        std::ifstream mesh(file);
+        std::string line;
+        while (std::getline(mesh, line) && line.starts_with("mtllib"))
+            ;
+        if (file.extension() == ".obj" && !line.empty() && !line.starts_with("# Ripstop"))
+            return fail(WrongUsage,
+                        Message("%1 is written beside %2, and is there already; it is not from "
+                                "Ripstop, and would be lost: give the target another name.",
+                                file.string(), options.output));
+    }
+    return Done;
+}
+
 int exportRecording(const ExportOptions& options)
 {
     if (!options.scene.assignments.empty() || !options.controls.empty())
@@ -73,7 +99,11 @@ int exportRecording(const ExportOptions& options)
     RecordedFrames source(opened.recording, options.exact ? Places::Exact : Places::AsKept,
                           options.threads);
     const int lastDesign = int(opened.recording->designCount()) - 1;
-    if (auto failure = write(source, opened.recording->design(lastDesign).scene(), options))
+    const Scene scene = opened.recording->design(lastDesign).scene();
+    if (const int code = refuseFilesBeside(options, scene, inputsOf(scene, options.scene.file));
+        code != Done)
+        return code;
+    if (auto failure = write(source, scene, options))
         return fail(interrupted() ? Interrupted : BadInput, failure->message);
     return opened.damage.empty() ? Done : BadInput; // openOrSay() has printed the damage
 }
@@ -100,6 +130,8 @@ int exportScene(const ExportOptions& options)
         return loaded.exitCode;
     const FileNames inputs = inputsOf(*loaded.scene, options.scene.file);
     if (const int code = refuseTargets({options.output}, inputs); code != Done)
+        return code;
+    if (const int code = refuseFilesBeside(options, *loaded.scene, inputs); code != Done)
         return code;
     const auto system = compile(*loaded.scene);
     if (!system)

@@ -106,6 +106,22 @@ std::unique_ptr<aiScene> sceneOf(const Surface& surface, bool withLines)
     return scene;
 }
 
+// Each panel with corners of its own, so that their normals are that of the panel.
+Surface apart(const Surface& surface)
+{
+    Surface facets;
+    facets.name = surface.name;
+    facets.fabrics = surface.fabrics;
+    facets.fabric = surface.fabric;
+    for (const auto& panel : surface.panels) {
+        const int first = int(facets.position.size());
+        facets.panels.push_back({first, first + 1, first + 2});
+        for (const int corner : panel)
+            facets.position.push_back(surface.position[std::size_t(corner)]);
+    }
+    return facets;
+}
+
 Result<std::string> exported(const aiScene& scene, const char* format)
 {
     if (scene.mNumMeshes == 0)
@@ -121,7 +137,7 @@ Result<std::string> exported(const aiScene& scene, const char* format)
 
 Result<std::string> stlMoment(const Frame& frame, const MeshAppearance& appearance)
 {
-    return exported(*sceneOf(surfaceOf(frame, appearance), false), "stlb");
+    return exported(*sceneOf(apart(surfaceOf(frame, appearance)), false), "stlb");
 }
 
 Result<std::string> colladaMoment(const Frame& frame, const MeshAppearance& appearance)

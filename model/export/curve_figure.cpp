@@ -11,6 +11,7 @@
 
 #include "base/program_version.h"
 #include "export/output_files.h"
+#include "export/xml_text.h"
 #include "io/csv.h"
 
 #include <algorithm>
@@ -94,14 +95,6 @@ std::string printed(const char* format, double number)
 
 std::string pixels(double number) { return printed("%.2f", number); }
 std::string label(double number) { return printed("%.6g", number); }
-
-std::string xmlText(std::string_view text)
-{
-    std::string escaped;
-    for (const char c : text)
-        escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-    return escaped;
-}
 
 std::string line(double x1, double y1, double x2, double y2, const char* color)
 {

@@ -7,6 +7,7 @@
 // writes a file of the row's content for each frame.
 #include "export/format.h"
 
+#include "base/lower_case.h"
 #include "export/curve_figure.h"
 #include "export/gltf.h"
 #include "export/hdf5.h"
@@ -174,13 +175,6 @@ constexpr std::array formats{
 bool isNumbered(std::string_view name)
 {
     return name.find(framePlaceholder) != std::string_view::npos;
-}
-
-std::string lowerCase(std::string text)
-{
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
 }
 
 } // namespace

@@ -68,10 +68,10 @@ void OutputFiles::tidy(const fs::path& folder)
 
 std::optional<Failure> OutputFiles::makeFolder(const fs::path& folder)
 {
-    std::error_code error;
+    std::error_code error, ignored;
     if (fs::create_directory(folder, error))
         m_newFolders.push_back(folder);
-    if (fs::is_directory(folder))
+    if (fs::is_directory(folder, ignored))
         return std::nullopt;
     return Failure("The folder %1 cannot be made: %2; choose another target.", folder.string(),
                    error ? Message::verbatim(error.message()) : Message("a file has that name"));

@@ -9,6 +9,7 @@
 
 #include "export/moment.h"
 #include "export/output_files.h"
+#include "export/xml_text.h"
 #include "io/csv.h"
 #include "io/json_text.h"
 
@@ -49,26 +50,6 @@ private:
     MomentContent m_content;
     std::size_t m_count = 0;
 };
-
-std::string xmlText(const std::string& text)
-{
-    std::string escaped;
-    for (const char c : text)
-        switch (c) {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += c;
-        }
-    return escaped;
-}
 
 class Pvd final : public FrameSink
 {

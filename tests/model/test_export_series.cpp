@@ -13,6 +13,8 @@
 #include "shapes/mesh_file.h"
 #include "simulation/simulation.h"
 
+#include <Eigen/Geometry>
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -135,6 +137,26 @@ private slots:
             const Vec3& place = mesh->points[std::size_t(mesh->corners[i])];
             QCOMPARE(mesh->texture[i][0], place.x() == 0.0 ? 0.25 : 0.75);
             QCOMPARE(mesh->texture[i][1], place.y() == 0.0 ? 0.25 : 1.0);
+        }
+    }
+
+    // Two triangles that do not lie in one plane have two normals (binary STL: 84 bytes, then 50 of
+    // each, the normal first).
+    void facetsOfStlHaveTheirOwnNormals()
+    {
+        QTemporaryDir folder;
+        const Scene scene = kite();
+        const QString path = folder.filePath("kite.stl");
+        QVERIFY(!writeMoment(*startOf(scene), MeshAppearance(scene), path.toStdString()));
+        const QByteArray bytes = contentOf(path);
+        QCOMPARE(bytes.size(), qsizetype(84 + 2 * 50));
+        for (qsizetype facet = 84; facet < bytes.size(); facet += 50) {
+            std::array<Vec3, 4> row; // the normal, then the corners
+            for (qsizetype i = 0; i < 12; ++i)
+                row[std::size_t(i / 3)][i % 3] =
+                    double(numberAt<float>(bytes, facet + 4 * i, QSysInfo::LittleEndian));
+            const Vec3 expected = (row[2] - row[1]).cross(row[3] - row[1]).normalized();
+            QVERIFY((row[0] - expected).norm() < 1e-6);
         }
     }
 

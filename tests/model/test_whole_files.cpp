@@ -247,6 +247,25 @@ private slots:
             QCOMPARE(contentOf(folder.filePath(name)), before[name]);
     }
 
+    // The mesh that a point cache moves is written beside it, without having been named.
+    void refusesToReplaceAMeshThatWasNotNamed()
+    {
+        const QTemporaryDir folder;
+        const auto exported = [&] {
+            return call({"export", scene("flag"), "-o", folder.filePath("sail.pc2"), "--to", "0"});
+        };
+        const QByteArray others = "# Blender\nv 0 0 0\n";
+        write(folder.filePath("sail.obj"), others);
+        const Outcome refused = exported();
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.error.contains("sail.obj is written beside"), qPrintable(refused.error));
+        QCOMPARE(namesIn(folder.path()), QStringList{"sail.obj"});
+        QCOMPARE(contentOf(folder.filePath("sail.obj")), others);
+        QVERIFY(QFile::remove(folder.filePath("sail.obj")));
+        for (int time = 0; time < 2; ++time) // one's own may be made again
+            QCOMPARE(exported().exitCode, 0);
+    }
+
     void refusesOneFileForTwo()
     {
         const QTemporaryDir folder;
