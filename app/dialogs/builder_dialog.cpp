@@ -2,9 +2,9 @@
 // insertion into it, or a new design with a view of its own. Each change goes through buildSoon(),
 // which waits for a pause in typing, and post(), which reads the form and gives the thread a
 // numbered job; collect() takes the outcome on the thread of the window and drops those of an
-// older number. preview() shows it, as a gesture in the history of the open design, unless it has
-// too many particles; takeBack() undoes that before the next preview, before it is accepted and
-// when it is dismissed.
+// older number. preview() shows it in the open design, beside its history, unless it has too many
+// particles; takeBack() undoes that before the next preview, before it is accepted and when it is
+// dismissed.
 #include "dialogs/builder_dialog.h"
 
 #include "author/chosen_materials.h"
@@ -331,8 +331,7 @@ void BuilderDialog::preview()
     if (m_preview) {
         m_preview->document.replace(m_outcome->scene);
     } else if (m_show->isChecked()) {
-        m_gesture = m_open->document.beginGesture();
-        m_open->document.drag(m_outcome->edit, m_gesture);
+        m_open->document.tryOut(m_outcome->edit);
         if (m_isNew)
             emit shown(m_outcome->bodies);
         m_isNew = false;
@@ -343,11 +342,8 @@ void BuilderDialog::takeBack()
 {
     if (m_preview && (!m_outcome || m_outcome->figures.particles > mostShown))
         m_preview->document.replace(Scene{});
-    if (m_gesture == 0)
-        return;
-    m_open->document.cancel(m_gesture);
-    m_gesture = 0;
-    m_open->selection.set(m_selected);
+    if (m_open && m_open->document.takeBack())
+        m_open->selection.set(m_selected);
 }
 
 void BuilderDialog::accept()

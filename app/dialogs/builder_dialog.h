@@ -96,7 +96,6 @@ private:
     PlaceForm* m_place = nullptr;
     std::shared_ptr<const InsertGround> m_ground; // of an insertion
     std::shared_ptr<const Scene> m_scene;         // as it was, where a part is built again
-    int m_gesture = 0;                            // of the preview that stands in the history, or 0
     bool m_isNew = true; // no design of this builder was shown at this place yet
 
     std::unique_ptr<Preview> m_preview;

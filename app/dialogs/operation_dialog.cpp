@@ -1,7 +1,7 @@
 // Stages: outcomeOf() and weightOf() put an edit into words. A change of the form starts a short
 // timer; preview() then takes the last preview back, applies the operation to the design, says
-// what it does or why not, and shows it as a gesture. accept() does the same once more, as an
-// ordinary edit, so that nothing depends on whether a preview stood there.
+// what it does or why not, and tries it out. accept() does the same once more, as an ordinary edit,
+// so that nothing depends on whether a preview stood there.
 #include "dialogs/operation_dialog.h"
 
 #include "dialogs/beside.h"
@@ -129,9 +129,7 @@ Result<Shaped> OperationDialog::shaped() const
 
 void OperationDialog::takeBack()
 {
-    if (m_gesture != 0)
-        m_document.cancel(m_gesture);
-    m_gesture = 0;
+    m_document.takeBack();
     m_selection.set(m_ids); // what the preview removed has left the selection
 }
 
@@ -151,8 +149,7 @@ void OperationDialog::preview()
     say(outcomeOf(m_document.scene(), outcome->edit), false);
     if (!m_preview->isChecked() || outcome->edit.changes.empty())
         return;
-    m_gesture = m_document.beginGesture();
-    m_document.drag(std::move(outcome->edit), m_gesture);
+    m_document.tryOut(std::move(outcome->edit));
 }
 
 void OperationDialog::accept()

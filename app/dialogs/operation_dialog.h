@@ -53,7 +53,6 @@ private:
     QLabel* m_outcome;
     QDialogButtonBox* m_buttons;
     QTimer m_pause;
-    int m_gesture = 0; // of the preview that stands in the history, or 0
 };
 
 } // namespace ripstop

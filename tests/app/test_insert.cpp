@@ -9,6 +9,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
+#include "scene/path.h"
 #include "viewport/viewport.h"
 #include "views/run_with_widgets.h"
 
@@ -313,6 +314,8 @@ private slots:
     void insertsWithAPreview()
     {
         Shop shop(built("rope"));
+        shop.document.push(*assignment(shop.document.scene(), "settings.airDensity=1"));
+        shop.document.history().undo();
         const Scene before = shop.document.scene();
         const std::size_t rope = shop.count();
         const int steps = shop.document.history().count();
@@ -324,6 +327,7 @@ private slots:
             QTRY_COMPARE(shop.count(), rope);
         });
         QCOMPARE(shop.document.history().count(), steps);
+        QVERIFY(shop.document.history().canRedo()); // what was undone before can still be redone
         Scene now = shop.document.scene();
         now.nextId = before.nextId;
         QVERIFY(now == before);
@@ -336,7 +340,7 @@ private slots:
         QCOMPARE(shop.count(), rope + 12);
         QCOMPARE(findItem<Part>(shop.document.scene(), shop.part(1))->parameters.at("width"), 2.4);
         QCOMPARE(shop.selection.ids(), std::vector{shop.part(1)});
-        QCOMPARE(shop.document.history().count(), steps + 1);
+        QCOMPARE(shop.document.history().count(), 1);
         shop.document.history().undo();
         QCOMPARE(shop.count(), rope);
     }

@@ -1,5 +1,6 @@
-// Edits come through push() and drag() into the undo stack, whose commands call applyNow(): the
-// only place where an edit reaches the scene, and so the only one that emits changed(). Whole
+// Edits come through push() and drag() into the undo stack, whose commands call applyNow(), as does
+// tryOut(): the only place where an edit reaches the scene, and so the only one that emits
+// changed(). Whole
 // scenes come through show(), which clears the history, because its commands belong to the scene
 // that is gone; replace() and recover() then mark the new scene as unsaved.
 #include "document/document.h"
@@ -8,6 +9,8 @@
 #include "io/scene_file.h"
 
 #include <QFileInfo>
+
+#include <utility>
 
 namespace ripstop {
 
@@ -27,12 +30,14 @@ Document::Document(QObject* parent)
 
 void Document::push(Edit edit)
 {
+    takeBack();
     if (!edit.changes.empty())
         m_history.push(new EditCommand(*this, std::move(edit))); // the stack owns the command
 }
 
 void Document::drag(Edit edit, int gesture)
 {
+    takeBack();
     if (!edit.changes.empty())
         m_history.push(new EditCommand(*this, std::move(edit), gesture));
 }
@@ -48,6 +53,22 @@ void Document::cancel(int gesture)
     command->undo();
     command->setObsolete(true); // the history then drops it, without undoing it once more
     m_history.undo();
+}
+
+// Redoing is kept: the history drops it with the next step, which this is not.
+void Document::tryOut(Edit edit)
+{
+    takeBack();
+    if (!edit.changes.empty())
+        m_back = applyNow(edit);
+}
+
+bool Document::takeBack()
+{
+    const std::optional<Edit> back = std::exchange(m_back, std::nullopt);
+    if (back)
+        applyNow(*back);
+    return back.has_value();
 }
 
 void Document::retranslate()

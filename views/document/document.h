@@ -32,6 +32,8 @@ public:
     void drag(Edit edit, int gesture); // steps of one gesture merge into one
     int beginGesture();                // a fresh number for drag()
     void cancel(int gesture);          // as if it had never begun, if it is the last step
+    void tryOut(Edit edit);            // shows what comes of it, which is no step of the history
+    bool takeBack();                   // what is tried out; returns whether there was anything
     void retranslate();                // names the steps in the language that is spoken now
 
     // A new design without a file. The history starts over.
@@ -66,6 +68,7 @@ private:
     QString m_file;
     QString m_suggestedName;
     QDateTime m_written; // when the file was, as last read or saved
+    std::optional<Edit> m_back; // from what is tried out
     int m_gesture = 0;
     bool m_isReplacing = false;
 };
