@@ -4,6 +4,7 @@
 #include "model/files.h"
 
 #include "document/recordings.h"
+#include "inspector/value_edit.h"
 #include "scene/path.h"
 #include "study/design_gallery.h"
 #include "study/flight_curves.h"
@@ -11,6 +12,7 @@
 #include "study/goal_form.h"
 #include "study/kept_runs.h"
 #include "study/study_chart.h"
+#include "study/study_form.h"
 
 #include <QDir>
 #include <QDockWidget>
@@ -190,6 +192,33 @@ private slots:
         QTest::mouseClick(&shop.button("Stop"), Qt::LeftButton);
         QVERIFY(shop.isDone());
         QVERIFY(!shop.panel.view().curves().isVisible());
+    }
+
+    // What is typed stays in its field, also what does not come back from elsewhere.
+    void fieldsShowWhatWillBeFlown()
+    {
+        StudyForm form;
+        Study study;
+        study.seconds = 10.0;
+        study.variables = {rangeVariable(0.005, 0.01, 3, false)};
+        study.variables[0].paths = {"settings.timeStep"};
+        form.setStudy(study, [](const StudyVariable&) { return QString(); });
+        const auto type = [&](const QString& name, const QString& text) {
+            for (ValueEdit* edit : form.findChildren<ValueEdit*>())
+                if (edit->accessibleName() == name) {
+                    edit->selectAll();
+                    QTest::keyClicks(edit, text);
+                    QTest::keyClick(edit, Qt::Key_Return);
+                    return edit->text();
+                }
+            return QString();
+        };
+        QCOMPARE(type("Each flight", "2"), QString("2"));
+        QCOMPARE(form.study().seconds, 2.0);
+        QCOMPARE(type("From", "0.004"), QString("0.004"));
+        QCOMPARE(form.study().variables[0].spread->a, 0.004);
+        QCOMPARE(type("To", "0.02"), QString("0.02"));
+        QCOMPARE(form.study().variables[0].spread->b, 0.02);
     }
 
     // A parameter of a builder builds the part again; one step takes it back.

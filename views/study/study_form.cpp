@@ -3,6 +3,7 @@
 #include "study/study_form.h"
 
 #include "document/words.h"
+#include "icons/complaint.h"
 #include "inspector/value_edit.h"
 #include "scene/typed_number.h"
 #include "study/goal_form.h"
@@ -107,6 +108,8 @@ StudyForm::StudyForm(QWidget* parent)
     form->addRow(QString(), m_search);
     form->addRow(QString(), m_last);
     form->addRow(tr("Each flight"), m_seconds);
+    auto* complaint = new Complaint; // of the time
+    form->addRow(complaint);
     form->addRow(QString(), m_untilTear);
     m_keepCount->hide();
     m_keepCount->setRange(1, mostKept);
@@ -132,7 +135,9 @@ StudyForm::StudyForm(QWidget* parent)
     connect(m_seed, &QSpinBox::valueChanged, this, &StudyForm::takePlan);
     connect(m_seconds, &ValueEdit::committed, this, [this](const QString& typed) {
         change([&] { m_study.seconds = typedValue(typed.toStdString(), "s").number->number; });
+        m_seconds->show(compactNumber(m_study.seconds));
     });
+    connect(m_seconds, &ValueEdit::complained, complaint, &Complaint::tell);
     connect(m_keep, &QComboBox::activated, this,
             [this](int keep) { change([&] { m_study.keep = KeptRuns(keep); }); });
     connect(m_keep, &QComboBox::currentIndexChanged, m_keepCount,

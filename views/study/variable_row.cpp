@@ -131,8 +131,11 @@ void VariableRow::showCount(bool isShown)
 
 void VariableRow::takeRange()
 {
-    const double from = numberOf(m_from->text(), m_unit);
-    const double to = numberOf(m_to->text(), m_unit);
+    const auto& kept = m_variable.spread; // what is shown may have fewer digits
+    const auto valueOf = [&](const ValueEdit& edit, double before) {
+        return edit.text() == compactNumber(before) ? before : numberOf(edit.text(), m_unit);
+    };
+    const double from = valueOf(*m_from, kept->a), to = valueOf(*m_to, kept->b);
     if (!(from < to))
         return m_complaint->tell(tr("The second number has to be larger than the first."));
     if (m_log->isChecked() && !(from > 0.0))
@@ -142,22 +145,24 @@ void VariableRow::takeRange()
     StudyVariable range = rangeVariable(from, to, count, m_log->isChecked());
     m_variable.values = std::move(range.values);
     m_variable.spread = range.spread;
+    m_from->show(compactNumber(from));
+    m_to->show(compactNumber(to));
     emit edited();
 }
 
 void VariableRow::addList(QGridLayout& grid)
 {
-    auto* list = new ValueEdit([](const QString& typed) {
+    m_list = new ValueEdit([](const QString& typed) {
         return typed.simplified().isEmpty() ? VariableRow::tr("At least one value is needed.")
                                             : QString();
     });
-    list->setAccessibleName(tr("Values"));
-    list->setToolTip(tr("Values, with a semicolon between two."));
-    list->show(listOf(m_variable.values));
-    list->setCursorPosition(0);
-    grid.addWidget(list, 1, 0, 1, 7);
-    connect(list, &ValueEdit::complained, m_complaint, &Complaint::tell);
-    connect(list, &ValueEdit::committed, this, &VariableRow::takeList);
+    m_list->setAccessibleName(tr("Values"));
+    m_list->setToolTip(tr("Values, with a semicolon between two."));
+    m_list->show(listOf(m_variable.values));
+    m_list->setCursorPosition(0);
+    grid.addWidget(m_list, 1, 0, 1, 7);
+    connect(m_list, &ValueEdit::complained, m_complaint, &Complaint::tell);
+    connect(m_list, &ValueEdit::committed, this, &VariableRow::takeList);
 }
 
 void VariableRow::takeList(const QString& typed)
@@ -166,6 +171,7 @@ void VariableRow::takeList(const QString& typed)
     for (const QString& value : typed.split(QChar(';'), Qt::SkipEmptyParts))
         if (const QString one = value.trimmed(); !one.isEmpty())
             m_variable.values.push_back(one.toStdString());
+    m_list->show(listOf(m_variable.values));
     emit edited();
 }
 

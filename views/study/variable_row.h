@@ -46,6 +46,7 @@ private:
     QString m_unit;
     ValueEdit* m_from = nullptr;
     ValueEdit* m_to = nullptr;
+    ValueEdit* m_list = nullptr;
     QLabel* m_times = nullptr; // before the count
     QSpinBox* m_count = nullptr;
     QToolButton* m_log = nullptr;
