@@ -2,8 +2,8 @@
 // reason of a refusal. Collector copies points, arrays and cells, and believes no index in them.
 #include "mesh_reader/vtk_reader.h"
 
-#include <algorithm>
-#include <cctype>
+#include "base/lower_case.h"
+
 #include <filesystem>
 
 #ifdef RIPSTOP_HAS_VTK
@@ -22,8 +22,10 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -68,8 +70,7 @@ std::string plainName(const char* name)
 {
     std::string plain = name ? name : "";
     plain.erase(std::min(plain.find(" ("), plain.size()));
-    std::ranges::transform(plain, plain.begin(), [](unsigned char c) { return std::tolower(c); });
-    return plain;
+    return lowerCase(std::move(plain));
 }
 
 vtkDataArray* arrayCalled(vtkFieldData& data, std::initializer_list<const char*> names,
@@ -212,12 +213,12 @@ private:
     {
         const bool isSaid = m_materials && cell < m_materials->GetNumberOfTuples();
         const double said = isSaid ? m_materials->GetComponent(cell, 0) : 0.0;
-        const auto [found, isNew] = m_materialOf.try_emplace(
-            std::isfinite(said) && m_materialOf.size() < mostMaterials ? said : 0.0,
-            int(m_mesh.materials.size()));
+        const bool isNumber = std::abs(said) <= double(std::numeric_limits<int>::max());
+        const int number = isNumber && m_materialOf.size() < mostMaterials ? int(said) : 0;
+        const auto [found, isNew] = m_materialOf.try_emplace(number, int(m_mesh.materials.size()));
         if (isNew)
             m_mesh.materials.push_back(
-                {isSaid ? "material " + std::to_string(std::int64_t(said)) : "", "", ""});
+                {isSaid ? "material " + std::to_string(number) : "", "", ""});
         return found->second;
     }
 
@@ -233,7 +234,7 @@ private:
     vtkDataArray* m_texture = nullptr;   // of points, or null
     vtkDataArray* m_materials = nullptr; // of cells, or null
     std::vector<bool> m_isCorner;        // [points]
-    std::map<double, int> m_materialOf;  // by what the file says
+    std::map<int, int> m_materialOf;     // by what the file says
     PolygonMesh m_mesh;
     std::string m_trouble;
 };
@@ -287,8 +288,7 @@ std::string answerOfVtk(const std::string&, const std::function<void(double)>&)
 
 bool isVtkFile(const std::string& file)
 {
-    std::string ending = std::filesystem::path(file).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
     return ending == ".vtp" || ending == ".vtu";
 }
 

@@ -48,7 +48,7 @@ ChosenNow chosenNow(const Scene& scene, Id part)
     const Counterparts counterparts = counterpartsOf(scene, part, *built);
     for (const Parameter& parameter : builder.parameters) {
         double& choice = now.parameters[std::string(parameter.key)];
-        if (std::size_t(choice) >= parameter.choices.size())
+        if (!(choice >= 0.0 && choice < double(parameter.choices.size())))
             continue;
         const std::string_view chosen = parameter.choices[std::size_t(choice)];
         const Preset* present = presentOf(chosen, *built, scene, counterparts);

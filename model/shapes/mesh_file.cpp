@@ -1,6 +1,6 @@
 // Reads mesh files in these stages:
 // 1. refusal() looks at the file before it is opened: whether it exists, and its size.
-// 2. OBJ, PLY and OFF go to readers of our own, all others to assimp in a process of its own
+// 2. OBJ, PLY and OFF go to readers of our own, all others to assimp or VTK in a process of its own
 //    (mesh_process.h).
 // 3. Pictures of materials are looked for, a mesh without faces or with points that are not finite
 // is refused; exceptions end here.
@@ -8,6 +8,7 @@
 //    the same place, because a tree of loose triangles would never be closed.
 #include "shapes/mesh_file.h"
 
+#include "base/lower_case.h"
 #include "shapes/mesh_process.h"
 #include "shapes/obj_file.h"
 #include "shapes/packed_pictures.h"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <utility>
@@ -28,17 +31,34 @@ constexpr std::array<std::string_view, 9> extensions{"obj", "stl", "ply", "off",
 
 std::string extensionOf(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
+    std::string extension = lowerCase(file.extension().string());
     if (!extension.empty())
         extension.erase(0, 1);
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
     return extension;
 }
 
 Failure unread(const std::filesystem::path& file, std::string_view why)
 {
     return Failure("The mesh %1 cannot be read (%2).", file.string(), why);
+}
+
+// Whether an STL file of text ends before its end, of which its reader makes fewer triangles. A
+// binary one may begin with the same word, but is as long as its count says.
+bool isCutOff(const std::filesystem::path& file, std::uintmax_t size)
+{
+    constexpr std::uintmax_t header = 84, triangle = 50, tail = 1024; // bytes
+    std::ifstream stream(file, std::ios::binary);
+    std::array<char, header> begin{};
+    stream.read(begin.data(), begin.size());
+    std::uint32_t count = 0;
+    std::memcpy(&count, begin.data() + header - sizeof count, sizeof count);
+    if (!std::string_view(begin.data(), begin.size()).starts_with("solid")
+        || size == header + triangle * count)
+        return false;
+    stream.clear();
+    stream.seekg(std::streamoff(size - std::min(size, tail)));
+    const std::string end{std::istreambuf_iterator<char>(stream), {}};
+    return lowerCase(end).find("endsolid") == std::string::npos;
 }
 
 // The reason why reading the file would be pointless, or nothing.
@@ -60,6 +80,8 @@ std::optional<Failure> refusal(const std::filesystem::path& file)
     if (size > ReadLimits::mostBytes)
         return Failure("The mesh %1 is larger than 1 GiB; make it coarser in a mesh program first.",
                        file.string());
+    if (extensionOf(file) == "stl" && isCutOff(file, size))
+        return unread(file, "it ends in the middle of a solid");
     return std::nullopt;
 }
 

@@ -207,6 +207,21 @@ private:
     bool m_hasTexture = false;
 };
 
+// "#rrggbb" of three parts from 0 to 1; empty for the other ways to say a colour (spectral, xyz).
+std::string colorOf(std::string_view line)
+{
+    std::string color = "#";
+    for (int i = 0; i < 3; ++i) {
+        double part = 0.0;
+        if (!readNumber(takeWord(line), part) || !(part >= 0.0 && part <= 1.0))
+            return {};
+        char digits[3];
+        std::snprintf(digits, sizeof digits, "%02x", unsigned(std::lround(255.0 * part)) & 0xffU);
+        color += digits;
+    }
+    return color;
+}
+
 // The file of a texture; where it has options, that is the last word, and has no spaces in it.
 std::string pictureOf(const std::string& texture)
 {
@@ -234,14 +249,8 @@ void readMtl(std::string_view text, PolygonMesh& mesh)
                 std::ranges::find(mesh.materials, name, &PolygonMesh::Material::name);
             current = found == mesh.materials.end() ? nullptr : &*found;
         } else if (keyword == "Kd" && current) {
-            std::array<double, 3> parts{};
-            for (double& part : parts)
-                if (!readNumber(takeWord(line), part) || !(part >= 0.0 && part <= 1.0))
-                    return;
-            char color[8];
-            std::snprintf(color, sizeof color, "#%02x%02x%02x", int(std::lround(255.0 * parts[0])),
-                          int(std::lround(255.0 * parts[1])), int(std::lround(255.0 * parts[2])));
-            current->color = color;
+            if (const std::string color = colorOf(line); !color.empty())
+                current->color = color;
         } else if (keyword == "map_Kd" && current) {
             current->picture = pictureOf(rest(line));
         }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace ripstop {
 namespace {
@@ -49,24 +51,24 @@ void nameFilesBeside(const fs::path& meshFile, std::vector<PolygonMesh::PackedPi
 {
     std::error_code error;
     const fs::path folder = fs::absolute(meshFile, error).parent_path();
+    std::set<std::string> taken;       // by pictures before
+    std::map<std::string, int> number; // by name, the one that is tried next
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         PolygonMesh::PackedPicture& picture = pictures[i];
         picture.file.clear();
-        const std::string_view ending = endingOf(picture.bytes);
+        const std::string ending(endingOf(picture.bytes));
         if (ending.empty())
             continue;
         const std::string own =
             picture.name.empty() ? std::to_string(i + 1) : plainName(picture.name);
-        const std::string stem = meshFile.stem().string() + "-" + own;
-        const auto isTaken = [&](const fs::path& file) {
-            const auto isSame = [&](const auto& one) { return one.file == file.string(); };
-            return (fs::exists(file, error) && !holds(file, picture.bytes))
-                   || std::any_of(pictures.begin(), pictures.begin() + std::ptrdiff_t(i), isSame);
-        };
-        fs::path file = folder / (stem + std::string(ending));
-        for (int number = 2; isTaken(file); ++number)
-            file = folder / (stem + "-" + std::to_string(number) + std::string(ending));
-        picture.file = file.string();
+        const std::string stem = (folder / meshFile.stem()).string() + "-" + own;
+        int& next = number.try_emplace(stem + ending, 1).first->second;
+        do {
+            picture.file = stem + (next > 1 ? "-" + std::to_string(next) : "") + ending;
+            ++next;
+        } while (taken.contains(picture.file)
+                 || (fs::exists(picture.file, error) && !holds(picture.file, picture.bytes)));
+        taken.insert(picture.file);
     }
 }
 

@@ -60,6 +60,16 @@ double numberIn(const Json& json)
     return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
+// A whole number that is not negative, as far as doubles tell them apart; nothing where it is none.
+std::optional<std::int64_t> countIn(const Json& json, const char* name)
+{
+    constexpr double most = 9007199254740992.0; // 2^53
+    const double number = json.contains(name) ? numberIn(json[name]) : -1.0;
+    if (!(number >= 0.0 && number <= most) || number != std::floor(number))
+        return std::nullopt;
+    return std::int64_t(number);
+}
+
 // Nothing when the line is no whole row.
 std::optional<std::pair<std::string, FlightResult>> rowOf(const Json& json)
 {
@@ -70,20 +80,19 @@ std::optional<std::pair<std::string, FlightResult>> rowOf(const Json& json)
     const auto number = [&](const char* name) {
         return json.contains(name) ? numberIn(json[name]) : std::nan("");
     };
-    const bool isWhole = json.contains("measured") && json["measured"].is_array()
-                         && std::isfinite(number("steps")) && std::isfinite(number("torn"));
+    const auto steps = countIn(json, "steps"), torn = countIn(json, "torn");
+    const bool isWhole = json.contains("measured") && json["measured"].is_array() && steps && torn;
     if (!isWhole || text("key").empty())
         return std::nullopt;
     FlightResult flight;
     flight.time = number("time");
-    flight.steps = std::int64_t(number("steps"));
+    flight.steps = *steps;
     flight.hash = text("hash");
-    flight.torn = std::size_t(number("torn"));
+    flight.torn = std::size_t(*torn);
     flight.firstTear = number("first_tear");
     flight.firstTearLoad = number("first_tear_load");
     flight.firstTearUnit = text("first_tear_unit");
-    flight.firstTorn =
-        std::uint32_t(std::isfinite(number("first_torn")) ? number("first_torn") : 0);
+    flight.firstTorn = std::uint32_t(countIn(json, "first_torn").value_or(0));
     flight.stopped = text("stopped");
     flight.absurd = text("absurd");
     flight.inaccurate = text("inaccurate");

@@ -66,7 +66,7 @@ struct LedgerContent
 };
 Result<LedgerContent> readLedgers(const std::filesystem::path& folder);
 
-// One shard's file. Threads take turns.
+// One shard's file. Whoever adds from several threads lets them take turns.
 class Ledger
 {
 public:

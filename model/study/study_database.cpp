@@ -5,6 +5,7 @@
 
 #include "base/program_version.h"
 #include "io/csv.h"
+#include "io/json_text.h"
 #include "io/whole_file.h"
 #include "study/study_table.h"
 
@@ -96,7 +97,7 @@ bool fill(sqlite3* database, const OpenedStudy& opened, const StudyFlights& flig
     const std::vector<Texts> about{
         {"program", "Ripstop " + programVersion()},
         {"scene", study.scene},
-        {"seconds", std::to_string(study.seconds)},
+        {"seconds", numberText(study.seconds)},
         {"plan", std::string(choiceNames<StudyPlan::Kind>[std::size_t(study.plan.kind)])},
         {"points", std::to_string(opened.points.count())},
         {"text", studyText(study)}};

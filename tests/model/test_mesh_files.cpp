@@ -7,10 +7,13 @@
 #include "model/meshes.h"
 #include "registered_test.h"
 #include "shapes/mesh_file.h"
+#include "shapes/packed_pictures.h"
 
 #include <QJsonArray>
 #include <QtTest>
+
 #include <random>
+#include <set>
 
 namespace ripstop::test_mesh_files {
 class TestMeshFiles : public QObject, MeshFolder
@@ -186,6 +189,9 @@ private slots:
                                   << "not finite";
         QTest::newRow("a word for a corner")
             << "word.obj" << QByteArray("v 0 0 0\nf 1 a 1\n") << "\"a\" is not a corner";
+        QTest::newRow("STL, cut off behind a triangle")
+            << "half.stl" << cubeAsStl().left(cubeAsStl().indexOf("endfacet") + 9)
+            << "in the middle of a solid";
         QTest::newRow("nonsense") << "bad.ply" << QByteArray("plyff nonsense") << "cannot be read";
         const QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                                "property float y\nproperty float z\nelement face 1\n"
@@ -364,6 +370,23 @@ private slots:
         const QString odd = write("packed/odd.gltf", trianglePackedWith("no picture"));
         QCOMPARE(call({"import", odd, "-o", scene}).error, QString());
         QVERIFY(!content(scene).contains("\"picture\""));
+    }
+
+    void packedPicturesOfOneName()
+    {
+        const std::string point = redPoint().toStdString();
+        std::vector<PolygonMesh::PackedPicture> pictures(2000);
+        for (PolygonMesh::PackedPicture& picture : pictures) {
+            picture.name = "sail";
+            picture.bytes = point;
+        }
+        nameFilesBeside(m_folder.filePath("kite.glb").toStdString(), pictures);
+        std::set<std::string> names;
+        for (const PolygonMesh::PackedPicture& picture : pictures)
+            names.insert(picture.file);
+        QCOMPARE(names.size(), pictures.size());
+        QCOMPARE(pictures.front().file, m_folder.filePath("kite-sail.png").toStdString());
+        QCOMPARE(pictures[1].file, m_folder.filePath("kite-sail-2.png").toStdString());
     }
 
     void commandLineRefuses()

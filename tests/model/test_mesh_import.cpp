@@ -197,7 +197,7 @@ private slots:
     {
         PolygonMesh mesh = meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"
                                   "usemtl blue\nf 1 3 4\nusemtl unused\n");
-        readMtl("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n", mesh);
+        readMtl("newmtl red\nKd spectral red.rfl\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n", mesh);
         const PreparedMesh ready = preparedOf(mesh);
         const auto materialsOf = [](const Scene& scene) {
             std::vector<Material> materials;

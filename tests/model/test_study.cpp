@@ -294,7 +294,8 @@ private slots:
         QCOMPARE(of(Reduction::Rms), std::sqrt(1.0 + 30.0 + 9.0 * square));
     }
 
-    // A torn line is left out, rows that are there twice are taken once, keys tell all apart.
+    // A torn line is left out, as are counts that are none; rows that are there twice are taken
+    // once, keys tell all apart.
     void ledgersKeepWhatWasFlown()
     {
         const QTemporaryDir folder;
@@ -315,7 +316,12 @@ private slots:
             QVERIFY(!ledger->add("k1", flight));
             QVERIFY(!ledger->add("k1", flight));
         }
-        std::ofstream(runs / "shard-1-of-2.jsonl", std::ios::app) << R"({"key":"k2","time":0.)";
+        std::ofstream(runs / "shard-1-of-2.jsonl", std::ios::app)
+            << R"({"key":"k5","time":1,"steps":1e300,"hash":"00","torn":0,"measured":[1,2]})"
+               "\n"
+            << R"({"key":"k6","time":1,"steps":2,"hash":"00","torn":-1,"measured":[1,2]})"
+               "\n"
+            << R"({"key":"k2","time":0.)";
         {
             auto ledger = Ledger::open(runs, "shard-1-of-2", {"a", "b"}, "design");
             flight.hash = "0000000000000100";
@@ -332,7 +338,7 @@ private slots:
         QCOMPARE(content->other.rows, std::size_t(1)); // this build's are not among them
         QCOMPARE(content->other.program, std::string("Ripstop 0.1.0"));
         QCOMPARE(content->rows.size(), std::size_t(3));
-        QCOMPARE(content->torn, std::size_t(1));
+        QCOMPARE(content->torn, std::size_t(3));
         QCOMPARE(content->differing, std::size_t(1));
         const FlightResult& row = content->rows.at("k1");
         QCOMPARE(row.time, 0.1);
