@@ -105,9 +105,12 @@ public:
             m_draw(std::make_shared<Frame>(frame)).convertToFormat(QImage::Format_RGBA8888);
         if (picture.isNull())
             return Failure{"A picture of this size cannot be drawn here; choose a smaller one."};
-        if (m_ffmpeg.state() == QProcess::NotRunning)
+        if (m_ffmpeg.program().isEmpty()) {
             if (auto failure = start(picture.size()))
                 return failure;
+        } else if (m_ffmpeg.state() == QProcess::NotRunning) {
+            return broken();
+        }
         m_ffmpeg.write(reinterpret_cast<const char*>(picture.constBits()), picture.sizeInBytes());
         while (m_ffmpeg.bytesToWrite() > 0)
             if (!m_ffmpeg.waitForBytesWritten(-1))

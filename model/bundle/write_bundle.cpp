@@ -6,6 +6,7 @@
 #include "bundle/bundle.h"
 
 #include "base/hash_text.h"
+#include "base/lower_case.h"
 #include "base/new_file.h"
 #include "bundle/manifest.h"
 #include "bundle/readme.h"
@@ -29,13 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isZipName(const fs::path& target)
-{
-    std::string extension = target.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".zip";
-}
+bool isZipName(const fs::path& target) { return lowerCase(target.extension().string()) == ".zip"; }
 
 // "out/" is the folder out.
 fs::path plain(const fs::path& target)
@@ -133,10 +128,9 @@ private:
 
 bool namesFiles(const Scene& scene)
 {
-    return std::ranges::any_of(scene.items, [](const Entry& entry) {
-        const auto* collider = std::get_if<Collider>(&entry.item);
-        return collider && !collider->file.empty();
-    });
+    bool names = false;
+    forEachFile(scene, [&](const std::string&, const std::string&) { names = true; });
+    return names;
 }
 
 // The recording with the copies in place of the files of its designs.

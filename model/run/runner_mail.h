@@ -40,15 +40,8 @@ struct RunnerMail
     std::atomic<double> until = noTime; // s, to play to unpaced
     std::atomic<std::size_t> recordingMemory = std::size_t(512) << 20; // bytes
 
-    // A new system replaces all updates that wait.
-    void putUpdate(Update update)
-    {
-        std::vector<Update> replaced; // dies after the lock is released
-        const std::lock_guard lock(m_mutex);
-        if (update.system)
-            m_updates.swap(replaced);
-        m_updates.push_back(std::move(update));
-    }
+    // A new system replaces all updates that wait, but for the moment that its run begins with.
+    void putUpdate(Update update);
     std::vector<Update> takeUpdates() { return take(m_updates); }
 
     // Ends a sleep, or the next one before it begins.

@@ -4,6 +4,7 @@
 // pictures; then a film that is cancelled, and a window that is closed meanwhile.
 #include "app/window_shop.h"
 #include "files/export_dialog.h"
+#include "files/film.h"
 #include "files/film_look.h"
 
 #include <QCheckBox>
@@ -173,6 +174,37 @@ private slots:
                 sail += color.alpha() == 255 && color.red() > color.blue() + 60;
             }
         QVERIFY2(sail > 320 * 240 / 50, qPrintable(QString::number(sail)));
+    }
+
+    // It would begin anew, and what was made before would be missing.
+    void ffmpegThatEndsInTheMiddle()
+    {
+        const QTemporaryDir folder;
+        QFile ffmpeg(folder.filePath("ffmpeg"));
+        QVERIFY(ffmpeg.open(QFile::WriteOnly));
+        ffmpeg.write("#!/bin/sh\nhead -c 4096 >/dev/null\n"); // a picture, and it is at an end
+        ffmpeg.close();
+        QVERIFY(ffmpeg.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        const QByteArray path = qgetenv("PATH");
+        const auto putBack = qScopeGuard([&] { qputenv("PATH", path); });
+        qputenv("PATH", folder.path().toUtf8() + ':' + path);
+        const QString target = folder.filePath("kite.mp4");
+        {
+            const auto film = openFilm(*filmFormatOf(target), target, 25.0, [](const auto&) {
+                return QImage(32, 32, QImage::Format_RGBA8888);
+            });
+            QVERIFY(film);
+            std::optional<Failure> failure;
+            for (int i = 0; i < 200 && !failure; ++i) {
+                failure = (*film)->add(Frame());
+                QTest::qWait(5);
+            }
+            QVERIFY(failure);
+            QVERIFY2(failure->message.english().find("kite.mp4 was not written")
+                         != std::string::npos,
+                     failure->message.english().c_str());
+        }
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"ffmpeg"});
     }
 
     void cancelled()

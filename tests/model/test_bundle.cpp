@@ -147,6 +147,34 @@ private slots:
         QVERIFY(!QFile::exists(folder.filePath("none.zip")));
     }
 
+    // They are no part of the flight, and found again beside the scene.
+    void bringsPicturesOnFabric()
+    {
+        const QTemporaryDir folder;
+        const QString run = folder.filePath("flag.ripstop-run");
+        QCOMPARE(call({"run", scene("printed_flag"), "--seconds", "0.1", "--record", run}).exitCode,
+                 0);
+        for (const QString& of : {scene("printed_flag"), run}) {
+            const QString path = folder.filePath("flag.zip");
+            const Outcome made =
+                wrapped(of, path, of == run ? QStringList() : QStringList{"--seconds", "0.1"});
+            QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+            const auto bundle = openBundle(path.toStdString());
+            QVERIFY(bundle);
+            const Result<Scene> flag = readScene((bundle->folder / "scene.ripstop.json").string());
+            QVERIFY(flag);
+            int pictures = 0;
+            for (const Entry& entry : flag->items)
+                if (const auto* material = std::get_if<Material>(&entry.item);
+                    material && !material->picture.empty()) {
+                    ++pictures;
+                    QVERIFY2(std::filesystem::exists(bundle->folder / material->picture),
+                             material->picture.c_str());
+                }
+            QCOMPARE(pictures, 1);
+        }
+    }
+
     void aRecordingIsBundledAsItWasFlown()
     {
         QTemporaryDir folder;

@@ -9,7 +9,9 @@
 #include "measure/diagnostics.h"
 #include "run/latest_value.h"
 #include "run/runner.h"
+#include "run/runner_mail.h"
 #include "simulation/simulation.h"
+#include "system/moment.h"
 
 #include <QtTest>
 
@@ -116,6 +118,25 @@ private slots:
                 seen = frame->time;
             }
         QVERIFY(!box.take());
+    }
+
+    // A run goes on from its moment also when the design changes before it could begin.
+    void momentsWaitForTheNewestSystem()
+    {
+        const auto moment = std::make_shared<const Moment>();
+        RunnerMail mail;
+        mail.putUpdate({.system = rope(1, 1, 5), .patch = {}, .moment = moment});
+        mail.putUpdate({.system = rope(2, 1, 6), .patch = {}});
+        const std::vector<Update> sameRun = mail.takeUpdates();
+        QCOMPARE(sameRun.size(), std::size_t(1));
+        QCOMPARE(sameRun[0].system->generation, std::uint64_t(2));
+        QCOMPARE(sameRun[0].moment, moment);
+
+        mail.putUpdate({.system = rope(3, 1, 5), .patch = {}, .moment = moment});
+        mail.putUpdate({.system = rope(4, 2, 5), .patch = {}}); // a new run
+        const std::vector<Update> newRun = mail.takeUpdates();
+        QCOMPARE(newRun.size(), std::size_t(1));
+        QVERIFY(!newRun[0].moment);
     }
 
     // Without orders it stands: one frame of the start, and no more.
