@@ -24,9 +24,8 @@ namespace {
 
 using Block = BlockCholesky::Block;
 
-constexpr std::size_t productsOfShare = 256;     // of blocks; some microseconds
-constexpr std::size_t productsOfThreads = 50000; // below which handing out takes too long
-constexpr int patientLooks = 2000;               // some microseconds
+constexpr std::size_t productsOfShare = 256; // of blocks; some microseconds
+constexpr int patientLooks = 2000;           // some microseconds
 
 std::vector<std::uint32_t> eliminationOrder(std::size_t nodes,
                                             std::span<const std::pair<int, int>> pairs)

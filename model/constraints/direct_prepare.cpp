@@ -46,38 +46,9 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Trip
     const double most = m_isOfThreads ? manyProducts : tooManyProducts;
     m_hasGrid = nodes() > fewNodes && products > most * double(nodes());
     m_hasFactor = !m_hasGrid || products < tooManyProducts * double(nodes());
-    m_worthIterating = int(products / (productsOfIteration * double(nodes())));
-    if (m_hasGrid) {
-        // Rows in the order of the particles and bars in the order of rows: a walk along either is
-        // one through memory.
-        std::sort(m_particle.begin(), m_particle.begin() + std::ptrdiff_t(nodes()));
-        std::sort(m_particle.begin() + std::ptrdiff_t(nodes()), m_particle.end());
-        for (std::size_t i = 0; i < m_particle.size(); ++i)
-            row[std::size_t(m_particle[i])] = std::uint32_t(i);
-        takeBars(system, row);
-        std::ranges::stable_sort(m_bars, {},
-                                 [](const Bar& bar) { return std::minmax(bar.a, bar.b); });
-        m_panels.sortByRow();
-        pairs = numberPairs();
-        std::vector<std::pair<int, int>> anchors;
-        const auto anchor = [&](std::uint32_t a, std::uint32_t b) {
-            if (const auto [low, high] = std::minmax(a, b); low < nodes() && high >= nodes())
-                anchors.emplace_back(low, high);
-        };
-        for (const Bar& bar : m_bars)
-            anchor(bar.a, bar.b);
-        forEachTriple([&](const Triple& triple) {
-            for (const auto& [from, to] : sidesOfTriple)
-                anchor(triple.row[from], triple.row[to]);
-        });
-        std::vector<Row> place;
-        for (const int p : m_particle) {
-            const Vec3& x = system.start.position[std::size_t(p)];
-            place.push_back({{x.x(), x.y(), x.z(), 0.0}});
-        }
-        m_grid.analyze(nodes(), pairs, anchors, place, m_panels.empty());
-        shareOutStripes();
-    }
+    m_worthIterating = m_hasGrid ? int(products / (productsOfIteration * double(nodes()))) : 0;
+    if (m_hasGrid)
+        pairs = prepareGrid(system, row);
     if (m_hasFactor)
         m_factor.analyze(nodes(), pairs);
     takeGuides(system);
@@ -88,6 +59,41 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Trip
     m_guess.assign(nodes(), Row{});
     m_from.assign(nodes(), Row{});
     m_contacts.reserve(system.obstacles.empty() ? 0 : nodes());
+}
+
+// Numbers the rows anew, and returns the pairs of nodes by their new numbers.
+std::vector<std::pair<int, int>> DirectSolver::prepareGrid(const System& system,
+                                                           std::vector<std::uint32_t>& row)
+{
+    // Rows in the order of the particles and bars in the order of rows: a walk along either is
+    // one through memory.
+    std::sort(m_particle.begin(), m_particle.begin() + std::ptrdiff_t(nodes()));
+    std::sort(m_particle.begin() + std::ptrdiff_t(nodes()), m_particle.end());
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        row[std::size_t(m_particle[i])] = std::uint32_t(i);
+    takeBars(system, row);
+    std::ranges::stable_sort(m_bars, {}, [](const Bar& bar) { return std::minmax(bar.a, bar.b); });
+    m_panels.sortByRow();
+    const auto pairs = numberPairs();
+    std::vector<std::pair<int, int>> anchors;
+    const auto anchor = [&](std::uint32_t a, std::uint32_t b) {
+        if (const auto [low, high] = std::minmax(a, b); low < nodes() && high >= nodes())
+            anchors.emplace_back(low, high);
+    };
+    for (const Bar& bar : m_bars)
+        anchor(bar.a, bar.b);
+    forEachTriple([&](const Triple& triple) {
+        for (const auto& [from, to] : sidesOfTriple)
+            anchor(triple.row[from], triple.row[to]);
+    });
+    std::vector<Row> place;
+    for (const int p : m_particle) {
+        const Vec3& x = system.start.position[std::size_t(p)];
+        place.push_back({{x.x(), x.y(), x.z(), 0.0}});
+    }
+    m_grid.analyze(nodes(), pairs, anchors, place, m_panels.empty());
+    shareOutStripes();
+    return pairs;
 }
 
 // Each particle gets its row where a rod, a panel or a bend first names it.

@@ -145,7 +145,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
         const double before = assemble(pool);
-        if (!solveForMoves(pool)) // something is not a number, which the watchdog will see
+        if (!solveForMoves(pool)) // something is not a number or negative: the watchdog sees it
             break;
         moveAlongGuides();
         const Arrival arrival = arrive(pool);

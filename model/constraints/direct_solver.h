@@ -102,7 +102,6 @@ public:
     std::span<const int> rods() const { return m_rods; }         // as given to prepare()
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
     std::size_t products() const { return m_factor.products(); } // of blocks, in an iteration
-    bool iterates() const { return m_hasGrid; }                  // at first, at least
 
 private:
     struct Arrival // where a move has led
@@ -125,6 +124,8 @@ private:
     std::vector<std::uint32_t> numberRows(const System& system);
     void takeBars(const System& system, std::span<const std::uint32_t> row);
     std::vector<std::pair<int, int>> numberPairs();
+    std::vector<std::pair<int, int>> prepareGrid(const System& system,
+                                                 std::vector<std::uint32_t>& row);
     bool isOfThreads(const System& system) const;
     bool hasSamePins(const System& system) const;
     void takeGuides(const System& system);

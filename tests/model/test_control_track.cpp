@@ -208,7 +208,7 @@ private slots:
         QVERIFY2(again, again ? "" : again.message().english().c_str());
         QCOMPARE(again->hands.size(), odd.hands.size());
         for (std::size_t i = 0; i < odd.hands.size(); ++i) {
-            QCOMPARE(again->hands[i].time, odd.hands[i].time);
+            QVERIFY(again->hands[i].time == odd.hands[i].time); // QCOMPARE forgives the last bits
             HandCommands one, other; // cuts are compared by what they are
             add(again->hands[i].what, one);
             add(odd.hands[i].what, other);

@@ -152,8 +152,11 @@ private slots:
         cloth.add(Vec3::Zero(), sun, 1.0, 4);
         cloth.places[0].x() = std::numeric_limits<double>::quiet_NaN();
         cloth.places[8].y() = std::numeric_limits<double>::infinity();
-        for (const float shade : cloth.shade())
-            QVERIFY(shade >= 0.0F && shade <= 1.0F);
+        for (const double far : {1e29, 1e39, 1e300}) { // m, within floats and beyond
+            cloth.places[4].z() = far;
+            for (const float shade : cloth.shade())
+                QVERIFY(shade >= 0.0F && shade <= 1.0F);
+        }
         Cloth nothing;
         QVERIFY(nothing.shade().empty());
         for (const auto& [along, against] : cloth.fromAround())

@@ -17,6 +17,7 @@ constexpr int reach = 2;             // pixels around a place that are looked at
 constexpr double leastFacing = 0.05; // 1, of a plane that the light reaches at all
 constexpr float sameSurface = 4.0F;  // pixels
 constexpr float leastSize = 1e-3F;   // m
+constexpr float farthest = 1e30F;    // m, that can still be reckoned with
 constexpr float notSeen = std::numeric_limits<float>::lowest(); // of a place or a pixel
 
 } // namespace
@@ -37,9 +38,12 @@ bool SelfShade::frame(const Vec3& light, std::span<const Vec3> places,
         for (const int corner : panels[i]) {
             const Vec3& place = places[std::size_t(corner)];
             Spot& spot = m_spots[std::size_t(corner)];
-            if (!present[i] || isSeen(spot) || !place.allFinite())
+            const Eigen::Vector3f seen( // m
+                float(across.dot(place)), float(up.dot(place)), float(light.dot(place)));
+            const bool isNear = seen.allFinite() && seen.cwiseAbs().maxCoeff() < farthest;
+            if (!present[i] || isSeen(spot) || !isNear)
                 continue;
-            spot = {float(across.dot(place)), float(up.dot(place)), float(light.dot(place))}; // m
+            spot = {seen.x(), seen.y(), seen.z()};
             const auto& [x, y, z] = normals[std::size_t(corner)];
             const Vec3 normal(x, y, z);
             const double facing = normal.dot(light);

@@ -27,7 +27,6 @@ public:
     void take(std::span<const double> values, bool mayBeNegative);
 
     ValueRange range() const;
-    bool isSymmetric() const { return m_symmetric; }
     void reset() { *this = {}; }
 
 private:
