@@ -45,12 +45,12 @@ Json jsonOf(const std::vector<RunDistance>& list)
 
 int compare(const CompareOptions& options)
 {
-    const auto a = openOrSay(options.a).recording;
-    const auto b = a ? openOrSay(options.b).recording : nullptr;
-    if (!b)
+    const OpenedRecording a = openOrSay(options.a);
+    const OpenedRecording b = a.recording ? openOrSay(options.b) : OpenedRecording();
+    if (!b.recording)
         return BadInput;
     ProgressLine progress("comparing");
-    const auto list = compareRuns(*a, *b, options.interval, [&](double share) {
+    const auto list = compareRuns(*a.recording, *b.recording, options.interval, [&](double share) {
         progress.show(share);
         return !interrupted();
     });
@@ -64,7 +64,10 @@ int compare(const CompareOptions& options)
         return fail(BadInput, "The two have no particle in common: they are of other designs.");
     const bool same = std::all_of(list->begin(), list->end(),
                                   [](const RunDistance& row) { return row.most == 0.0; });
-    return same ? Done : Differs;
+    if (!same)
+        return Differs;
+    const bool isWhole = a.damage.empty() && b.damage.empty();
+    return isWhole ? Done : BadInput; // openOrSay() has printed the damage
 }
 
 } // namespace

@@ -87,8 +87,8 @@ void addConvert(CLI::App& app, Command& chosen)
         "that named threads name the panels\nbeside them. Materials of panels need a membrane "
         "stiffness.\n\n"
         "Example:\n"
-        "  ripstop-cli convert sail.ripstop.json --fabric panels --set "
-        "fabric.membraneStiffness=40000\n      -o elastic.ripstop.json");
+        "  ripstop-cli convert sail.ripstop.json --fabric panels \\\n"
+        "      --set fabric.membraneStiffness=40000 -o elastic.ripstop.json");
     command->callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
 }
 

@@ -91,15 +91,18 @@ OpenedRecording openOrSay(const std::string& file)
 
 int replayFile(const std::string& file, int threads, bool json)
 {
-    const auto recording = openOrSay(file).recording;
-    if (!recording)
+    const OpenedRecording opened = openOrSay(file);
+    if (!opened.recording)
         return BadInput;
     ProgressLine progress(file);
-    const auto outcome = replay(*recording, threads, [&](double share) {
+    const auto outcome = replay(*opened.recording, threads, [&](double share) {
         progress.show(share);
         return !interrupted();
     });
-    return outcome ? tellReplay(*outcome, json) : fail(Diverged, outcome.message());
+    if (!outcome)
+        return fail(Diverged, outcome.message());
+    const int code = tellReplay(*outcome, json);
+    return code == Done && !opened.damage.empty() ? BadInput : code; // that is said already
 }
 
 int tellReplay(const ReplayOutcome& outcome, bool json)

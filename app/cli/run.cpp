@@ -1,9 +1,9 @@
 // ripstop-cli run: flies a scene and says what came of it.
 //
-// In order: the steps of the run, as Simulation::runUntil() takes them, so that the window gets the
-// same bits; flyAndReport(), which opens what is to be written before the run and reports what was
-// flown even when a file cannot be written (run_report.h); and run(), which refuses wrong options
-// and files that cannot be written before the first step.
+// In order: RunFiles, which opens what is to be written before the run; fly(), which steps as
+// Simulation::runUntil() does, so that the window gets the same bits; flyAndReport(), which reports
+// what was flown even when a file cannot be written (run_report.h); and run(), which refuses wrong
+// options and files that cannot be written before the first step.
 #include "bundle/bundle.h"
 #include "cli/commands.h"
 #include "cli/event_list.h"
@@ -56,30 +56,108 @@ struct RunOptions
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
+// What is written while a scene flies, and after.
+class RunFiles
+{
+public:
+    RunFiles(const RunOptions& options, const Scene& scene)
+        : m_options(options)
+        , m_scene(scene)
+    {}
+
+    std::optional<Failure> open(Simulation& simulation)
+    {
+        if (!m_options.csv.empty()) {
+            Result<CsvWriter> opened = CsvWriter::open(m_options.csv, *simulation.frame());
+            if (!opened)
+                return opened.failure();
+            m_table = std::move(*opened);
+        }
+        if (!m_options.record.empty()) {
+            Result<GrowingRecording> opened = GrowingRecording::open(m_options.record);
+            if (!opened)
+                return opened.failure();
+            m_recording.emplace(std::move(*opened));
+            // otherwise it has no design, and records nothing
+            m_recorder.loaded(simulation, {std::make_shared<const Scene>(m_scene), {}});
+        } else if (!m_options.events.empty()) {
+            m_events.emplace(simulation);
+        }
+        if (m_table)
+            m_table->add(*simulation.frame());
+        return std::nullopt;
+    }
+
+    void beforeStep(Simulation& simulation)
+    {
+        if (m_recorder.beforeStep(simulation) && m_recording)
+            m_recording->follow(m_recorder.recording());
+    }
+
+    void afterStep(Simulation& simulation)
+    {
+        m_recorder.afterStep(simulation);
+        if (m_events)
+            m_events->look(simulation);
+        if (m_table)
+            m_table->add(*simulation.frame());
+    }
+
+    // Returns what could not be written.
+    std::vector<Failure> finish(const Frame& last)
+    {
+        std::vector<Failure> failures;
+        const auto note = [&](std::optional<Failure> failure) {
+            if (failure)
+                failures.push_back(std::move(*failure));
+        };
+        if (m_table)
+            note(m_table->close(last));
+        if (!m_options.tears.empty())
+            note(writeTears(m_scene, last, m_options.tears));
+        if (!m_options.loads.empty())
+            note(writeLoads(m_scene, last, m_options.loads));
+        if (!m_options.events.empty())
+            note(writeEvents(m_scene, m_events ? m_events->all() : recordedEvents(),
+                             m_options.events));
+        if (!m_options.finalScene.empty())
+            note(saveScene(posed(m_scene, last).scene, m_options.finalScene));
+        m_recorder.finish();
+        if (m_recording)
+            note(m_recording->finish());
+        return failures;
+    }
+
+private:
+    std::vector<RunEvent> recordedEvents() const
+    {
+        return m_recorder.recording() ? m_recorder.recording()->events() : std::vector<RunEvent>();
+    }
+
+    const RunOptions& m_options;
+    const Scene& m_scene;
+    std::optional<CsvWriter> m_table;
+    std::optional<GrowingRecording> m_recording;
+    Recorder m_recorder;
+    std::optional<EventList> m_events; // where nothing is recorded
+};
+
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
 // s.
 double fly(Simulation& simulation, const RunOptions& options, ControlPlayer& controls,
-           CsvWriter* table, Settler* settler, Recorder& recorder, GrowingRecording* file,
-           EventList* events)
+           Settler* settler, RunFiles& files)
 {
     const double end = options.seconds.value_or(SettleGoal().within);
     ProgressLine progress(options.scene.file);
     const double timeStep = simulation.system().timeStep;
     const auto start = std::chrono::steady_clock::now();
-    if (table)
-        table->add(*simulation.frame());
     while (!hasReached(simulation.state().time, end, timeStep) && !interrupted()
            && !(settler && settler->isOver())) {
         controls.giveTo(simulation);
-        if (recorder.beforeStep(simulation) && file)
-            file->follow(recorder.recording());
+        files.beforeStep(simulation);
         if (!simulation.step())
             break;
-        recorder.afterStep(simulation);
-        if (events)
-            events->look(simulation);
-        if (table)
-            table->add(*simulation.frame());
+        files.afterStep(simulation);
         if (settler)
             settler->look(simulation);
         progress.show(simulation.state().time / end);
@@ -87,84 +165,9 @@ double fly(Simulation& simulation, const RunOptions& options, ControlPlayer& con
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::vector<RunEvent> eventsOf(const Recorder& recorder)
+// Says on the standard error what was wrong with the run.
+int judge(const Simulation& simulation, const Json& result, const RunOptions& options)
 {
-    return recorder.recording() ? recorder.recording()->events() : std::vector<RunEvent>();
-}
-
-// Flies a compiled scene, writes what was asked for and reports.
-int flyAndReport(Scene scene, Simulation& simulation, const RunOptions& options,
-                 const std::optional<SettleGoal>& goal, ControlTrack track)
-{
-    std::optional<CsvWriter> table;
-    if (!options.csv.empty()) {
-        Result<CsvWriter> opened = CsvWriter::open(options.csv, *simulation.frame());
-        if (!opened)
-            return fail(BadInput, opened.message());
-        table = std::move(*opened);
-    }
-    std::optional<GrowingRecording> file;
-    if (!options.record.empty()) {
-        Result<GrowingRecording> opened = GrowingRecording::open(options.record);
-        if (!opened)
-            return fail(BadInput, opened.message());
-        file.emplace(std::move(*opened));
-    }
-    ControlPlayer controls(std::move(track));
-    StepTimes times;
-    simulation.keepTimes(options.profile ? &times : nullptr);
-    std::optional<Settler> settler;
-    if (goal)
-        settler.emplace(*goal, simulation);
-    Recorder recorder;
-    if (!options.record.empty()) // otherwise it has no design, and records nothing
-        recorder.loaded(simulation, {std::make_shared<const Scene>(scene), {}});
-    std::optional<EventList> events;
-    if (!options.events.empty() && options.record.empty())
-        events.emplace(simulation);
-    const double wallSeconds =
-        fly(simulation, options, controls, table ? &*table : nullptr, settler ? &*settler : nullptr,
-            recorder, file ? &*file : nullptr, events ? &*events : nullptr);
-    simulation.keepTimes(nullptr);
-    simulation.keepInputs(nullptr);
-
-    // What was flown is reported even when a file cannot be written.
-    std::vector<std::optional<Failure>> written;
-    if (table)
-        written.push_back(table->close(*simulation.frame()));
-    if (!options.tears.empty())
-        written.push_back(writeTears(scene, *simulation.frame(), options.tears));
-    Json unjudged;
-    if (!options.loads.empty()) {
-        written.push_back(writeLoads(scene, *simulation.frame(), options.loads));
-        unjudged = namesWithoutStrength(scene);
-    }
-    if (!options.events.empty())
-        written.push_back(
-            writeEvents(scene, events ? events->all() : eventsOf(recorder), options.events));
-    if (!options.finalScene.empty())
-        written.push_back(
-            saveScene(posed(std::move(scene), *simulation.frame()).scene, options.finalScene));
-    recorder.finish();
-    if (file)
-        written.push_back(file->finish());
-
-    Json result = runReport(simulation, wallSeconds);
-    if (!options.loads.empty())
-        tellUnjudged(std::move(unjudged), result);
-    if (settler)
-        result["settled"] = settlingOf(settler->progress());
-    if (options.profile)
-        result["profile"] = profileOf(times, wallSeconds);
-    if (options.json)
-        print(result);
-    else
-        printRunTable(result, *simulation.frame()->layout);
-    if (options.profile && !options.json)
-        printProfile(result);
-    for (const auto& failure : written)
-        if (failure)
-            return fail(BadInput, failure->message);
     if (simulation.trouble())
         return fail(Diverged, simulation.trouble()->message);
     for (const Json& one : result["absurd"])
@@ -179,6 +182,44 @@ int flyAndReport(Scene scene, Simulation& simulation, const RunOptions& options,
     if (interrupted())
         return fail(Interrupted, "Interrupted; the results are those up to then.");
     return Done;
+}
+
+// Flies a compiled scene, writes what was asked for and reports.
+int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& options,
+                 const std::optional<SettleGoal>& goal, ControlTrack track)
+{
+    RunFiles files(options, scene);
+    if (const auto failure = files.open(simulation))
+        return fail(BadInput, failure->message);
+    ControlPlayer controls(std::move(track));
+    StepTimes times;
+    simulation.keepTimes(options.profile ? &times : nullptr);
+    std::optional<Settler> settler;
+    if (goal)
+        settler.emplace(*goal, simulation);
+    const double wallSeconds =
+        fly(simulation, options, controls, settler ? &*settler : nullptr, files);
+    simulation.keepTimes(nullptr);
+    simulation.keepInputs(nullptr);
+
+    // What was flown is reported even when a file cannot be written.
+    const std::vector<Failure> unwritten = files.finish(*simulation.frame());
+    Json result = runReport(simulation, wallSeconds);
+    if (!options.loads.empty())
+        tellUnjudged(namesWithoutStrength(scene), result);
+    if (settler)
+        result["settled"] = settlingOf(settler->progress());
+    if (options.profile)
+        result["profile"] = profileOf(times, wallSeconds);
+    if (options.json)
+        print(result);
+    else
+        printRunTable(result, *simulation.frame()->layout);
+    if (options.profile && !options.json)
+        printProfile(result);
+    for (const Failure& failure : unwritten)
+        fail(BadInput, failure.message);
+    return unwritten.empty() ? judge(simulation, result, options) : BadInput;
 }
 
 // The goal of a settling run, if one was asked for; wrong usage is a failure that says what is
@@ -238,7 +279,7 @@ int run(const RunOptions& options)
         && options.events.empty() && options.loads.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
-    return flyAndReport(std::move(*loaded.scene), simulation, options, *goal, std::move(track));
+    return flyAndReport(*loaded.scene, simulation, options, *goal, std::move(track));
 }
 
 } // namespace

@@ -347,6 +347,17 @@ void addStudy(CLI::App& app, Command& chosen)
         "study",
         "Fly a design with many values, on all cores or a cluster; what is flown is kept.");
     study->require_subcommand(1);
+    // Before its own commands, which take it over.
+    study->footer(
+        "A study that is run again flies only what is missing: points that were added, or "
+        "whose flights\nwere killed. Rows are kept beside the study in "
+        "NAME.ripstop-runs, a line each.\n\n"
+        "Example:\n"
+        "  ripstop-cli study new s.ripstop-study.json --scene scenes/delta_kite.ripstop.json "
+        "\\\n"
+        "      --vary settings.airDensity=1.0:0.1:1.3 --vary \"wind.velocity=6,0,0; 8,0,0\"\n"
+        "  ripstop-cli study run s.ripstop-study.json\n"
+        "  ripstop-cli study merge s.ripstop-study.json -o kite.csv");
     addStudyNew(*study, chosen);
 
     struct Options
@@ -428,17 +439,6 @@ void addStudy(CLI::App& app, Command& chosen)
     array->callback([options, &chosen] {
         chosen = [options] { return slurm(options->file, options->tasks, options->time); };
     });
-
-    study->footer(
-        "A study that is run again flies only what is missing: points that were added, or "
-        "whose flights\nwere killed. Rows are kept beside the study in "
-        "NAME.ripstop-runs, a line each.\n\n"
-        "Example:\n"
-        "  ripstop-cli study new s.ripstop-study.json --scene scenes/delta_kite.ripstop.json "
-        "\\\n"
-        "      --vary settings.airDensity=1.0:0.1:1.3 --vary \"wind.velocity=6,0,0; 8,0,0\"\n"
-        "  ripstop-cli study run s.ripstop-study.json\n"
-        "  ripstop-cli study merge s.ripstop-study.json -o kite.csv");
 }
 
 } // namespace ripstop

@@ -22,7 +22,7 @@ enum ExitCode {
     WrongUsage = 2,
     Diverged = 3,
     Differs = 4,
-    Inaccurate = 5,   // with --strict
+    Inaccurate = 5,   // with run --strict, or certify --digits
     OutputLost = 6,   // standard output is full or closed
     Absurd = 7,       // the run ended in a state that no fabric can be in
     Interrupted = 128 // and the number of the signal: 130 for Ctrl-C, 143 for SIGTERM
