@@ -22,7 +22,7 @@ PreferencesDialog::PreferencesDialog(const Actions& actions, RunFiles& runFiles,
     auto* memory = new QSpinBox;
     memory->setRange(0, RunFiles::mostMemory);
     memory->setSingleStep(64);
-    memory->setSuffix(QStringLiteral(" MB"));
+    memory->setSuffix(tr(" MB"));
     memory->setSpecialValueText(tr("nothing is recorded"));
     memory->setValue(RunFiles::memory());
     memory->setToolTip(tr("Each run keeps up to this much of itself in memory; older moments go to "

@@ -2110,6 +2110,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
+        <source>%1 s: %2</source>
+        <translation>%1 s : %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
         <source>%1 tore</source>
         <translation>déchirure : %1</translation>
     </message>
@@ -6880,6 +6885,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="preferences_dialog.cpp"/>
+        <source> MB</source>
+        <translation> Mo</translation>
+    </message>
+    <message>
+        <location filename="preferences_dialog.cpp"/>
         <source>&amp;Language:</source>
         <translation>&amp;Langue :</translation>
     </message>
@@ -7763,13 +7773,23 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
-        <source>%1. Pulls in links are off by %2 % in the last one, where %3 % are wanted: the design is not as stiff as it says. Take a shorter time step, or the automatic solver.</source>
-        <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. Prendre un pas de temps plus court, ou le solveur automatique.</translation>
+        <source>%1. Pulls in links are off by %2 % in the last one, where %3 % are wanted: the design is not as stiff as it says. %4</source>
+        <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. %4</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
-        <source>%1. Rods that never stretch are %2 % too long in the last one, where %3 % are wanted. Take a shorter time step, or the automatic solver.</source>
-        <translation>%1. Au dernier, des tiges qui ne s’étirent jamais sont trop longues de %2 %, où %3 % sont voulus. Prendre un pas de temps plus court, ou le solveur automatique.</translation>
+        <source>%1. Rods that never stretch are %2 % too long in the last one, where %3 % are wanted. %4</source>
+        <translation>%1. Au dernier, des tiges qui ne s’étirent jamais sont trop longues de %2 %, où %3 % sont voulus. %4</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>Take a shorter time step.</source>
+        <translation>Prendre un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>Take the automatic solver.</source>
+        <translation>Prendre le solveur automatique.</translation>
     </message>
     <message>
         <location filename="run_files.cpp"/>
@@ -8783,8 +8803,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
-        <source>%1 rods are solved directly, since they hold fabric that is small enough for it; %2</source>
-        <translation>%1 tiges sont résolues directement, car la voile qu’elles tiennent est assez petite pour cela ; %2</translation>
+        <source>%1 rods are solved directly, which costs little for what they join; %2</source>
+        <translation>%1 tiges sont résolues directement, ce qui coûte peu pour ce qu’elles relient ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -14976,8 +14996,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>What holds the pinned particles against links, air and weight.</source>
-        <translation>Ce qui tient les particules fixées contre liaisons, air et poids.</translation>
+        <source>What holds the pinned particles against links, panels, air and weight.</source>
+        <translation>Ce qui tient les particules fixées contre liaisons, panneaux, air et poids.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -42,8 +42,6 @@ public:
     void keep();       // the present values are those that reset() goes back to
     void reset();
 
-    bool isSecondSet() const { return m_active == 1; }
-
 signals:
     void setsSwitched();
 

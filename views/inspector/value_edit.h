@@ -21,7 +21,6 @@ public:
 
     explicit ValueEdit(Judge judge, QWidget* parent = nullptr);
 
-    void setJudge(Judge judge) { m_judge = std::move(judge); }
     void setUnit(const QString& unit);
     void setSteps(bool on) { m_steps = on; } // the arrow keys emit stepped()
 

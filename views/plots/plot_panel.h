@@ -56,7 +56,6 @@ public:
     // values may be off, as certificates of recordings and of the design have it.
     void follow(const Recordings& recordings);
     void showErrorBands(bool shown); // they are, at first
-    bool showsErrorBands() const { return m_wantsBands; }
     // Of the samples that are drawn; as of the latest drawing.
     const ErrorBands& errorBands() const { return m_bands; }
 

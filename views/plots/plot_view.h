@@ -33,7 +33,6 @@ public:
     double drawingTime() const; // ms, mean of the latest drawings
 
     Chart& chart() { return *m_chart; }
-    XyChart& xyChart() { return *m_xy; }
     QCustomPlot& plotInSight() const;
 
     // The range of values that is shown, in their unit; nothing when there are several strips.

@@ -29,7 +29,6 @@ public:
     vtkRenderWindow& window() { return *m_window.Get(); }
 
     // Known from the first picture on.
-    bool isSoftware() const { return m_isSoftware; }
 
     // What is to be seen has changed: a new picture, soon. A mere update() shows the last one
     // again, as Qt asks for whenever something above this widget is painted.
