@@ -5,6 +5,7 @@
 #include "actions/keys_dialog.h"
 
 #include "actions/key_map.h"
+#include "document/words.h"
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -115,13 +116,15 @@ void KeysDialog::addControls(const Scene& scene)
         if (!title)
             title = section(tr("Controls of this scene"));
         const QString name = QString::fromStdString(control->name);
-        const QString keys = QString("%1   %2").arg(QString::fromStdString(control->keyLess),
-                                                    QString::fromStdString(control->keyMore));
+        const QString keys =
+            QString("%1   %2").arg(keyText(control->keyLess), keyText(control->keyMore));
         if (!keys.trimmed().isEmpty())
             new QTreeWidgetItem(
-                title, {keys, name, tr("Less and more, %1 m each time.").arg(control->step)});
-        new QTreeWidgetItem(title, {tr("Gamepad, axis %1").arg(++stick), name,
-                                    tr("Up to %1 m either way.").arg(control->limit)});
+                title, {keys, name,
+                        tr("Less and more, %1 m each time.").arg(compactNumber(control->step))});
+        new QTreeWidgetItem(title,
+                            {tr("Gamepad, axis %1").arg(++stick), name,
+                             tr("Up to %1 m either way.").arg(compactNumber(control->limit))});
     }
 }
 

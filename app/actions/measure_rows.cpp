@@ -32,7 +32,9 @@ const char* menuOf(const QuantityRow& row)
     case Of::Particles:
         return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Place and motion");
     case Of::Links:
-        return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Links");
+    case Of::LinksAndPanels:
+    case Of::Fabric:
+        return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Links and fabric");
     case Of::Panels:
     case Of::Canopy:
         return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Air");

@@ -97,6 +97,9 @@ void addQuantities(std::string& text)
             return "particles";
         case QuantityRow::Of::Links:
             return "links";
+        case QuantityRow::Of::LinksAndPanels:
+            return "links and panels";
+        case QuantityRow::Of::Fabric:
         case QuantityRow::Of::Panels:
             return "panels";
         case QuantityRow::Of::Canopy:

@@ -91,7 +91,7 @@ inline constexpr std::array<std::string_view, 59> choiceNames<Quantity>{
 
 struct QuantityRow
 {
-    enum class Of { Particles, Links, Panels, Canopy, Whole, Probes };
+    enum class Of { Particles, Links, LinksAndPanels, Fabric, Panels, Canopy, Whole, Probes };
 
     Quantity quantity;
     std::string_view unit; // "m", "deg", "N", ...; empty when dimensionless. Angles are in degrees,

@@ -125,6 +125,9 @@ CertifiedProbe judged(const std::array<Flight, 3>& flights, std::size_t i)
 Result<Certification> certify(const Scene& scene, double seconds,
                               const std::function<Pilot()>& newPilot, const Progress& progress)
 {
+    if (!(seconds >= scene.settings.timeStep))
+        return Failure("nothing is certified in less than a time step, %1 s; certify a longer time",
+                       Message::number("%.3g", scene.settings.timeStep));
     std::array<Flight, 3> flights;
     std::atomic<bool> ends = false;
     const auto pilot = [&] { return newPilot ? newPilot() : Pilot(); };

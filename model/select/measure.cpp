@@ -21,6 +21,9 @@ bool hasAny(const Elements& elements, Of of)
         return !elements.particles.empty();
     case Of::Links:
         return !elements.links.empty();
+    case Of::LinksAndPanels:
+        return !elements.links.empty() || !elements.panels.empty();
+    case Of::Fabric:
     case Of::Panels:
     case Of::Canopy:
         return !elements.panels.empty();
@@ -54,6 +57,9 @@ std::string asks(Quantity quantity)
         return "particles, or parts and groups with some";
     case Of::Links:
         return "links, or parts and groups with some";
+    case Of::LinksAndPanels:
+        return "links or panels, or parts and groups with some";
+    case Of::Fabric:
     case Of::Panels:
         return "panels, or parts and groups with some";
     case Of::Canopy:

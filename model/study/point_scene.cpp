@@ -47,8 +47,12 @@ Result<BuilderParameter> parameterOf(const Scene& scene, const std::string& path
     std::vector<std::string_view> keys;
     for (const Parameter& one : builder->parameters)
         keys.push_back(one.key);
+    const std::string_view near = nearest(key, keys);
+    if (near.empty())
+        return Failure("the builder %1 has no parameter \"%2\"; ripstop-cli builders %3 lists them",
+                       builder->name, key, builder->name);
     return Failure("the builder %1 has no parameter \"%2\"; did you mean \"%3\"?", builder->name,
-                   key, nearest(key, keys));
+                   key, near);
 }
 
 struct SetParameter

@@ -345,6 +345,11 @@
     </message>
     <message>
         <location filename="certify.cpp"/>
+        <source>nothing is certified in less than a time step, %1 s; certify a longer time</source>
+        <translation>rien n’est certifié en moins d’un pas de temps, %1 s ; certifier une durée plus longue</translation>
+    </message>
+    <message>
+        <location filename="certify.cpp"/>
         <source>the scene has no probe that could be judged: add one</source>
         <translation>la scène n’a pas de sonde que l’on puisse juger : ajoutez-en une</translation>
     </message>
@@ -5036,6 +5041,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="measure_rows.cpp"/>
+        <source>&amp;Links and fabric</source>
+        <translation>&amp;Liaisons et tissu</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
         <source>&amp;Measure</source>
         <translation>&amp;Mesurer</translation>
     </message>
@@ -6712,6 +6722,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="point_scene.cpp"/>
         <source>the builder %1 has no parameter "%2"; did you mean "%3"?</source>
         <translation>le constructeur %1 n’a pas de paramètre « %2 » ; serait-ce « %3 » ?</translation>
+    </message>
+    <message>
+        <location filename="point_scene.cpp"/>
+        <source>the builder %1 has no parameter "%2"; ripstop-cli builders %3 lists them</source>
+        <translation>le constructeur %1 n’a pas de paramètre « %2 » ; ripstop-cli builders %3 les énumère</translation>
     </message>
     <message>
         <location filename="point_scene.cpp"/>
@@ -12066,8 +12081,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>How far a link is stretched now.</source>
-        <translation>De combien une liaison est étirée maintenant.</translation>
+        <source>How far a link is stretched now, or what stretches most of an elastic panel.</source>
+        <translation>De combien une liaison est étirée à présent, ou ce qui s’étire le plus d’un panneau élastique.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14626,6 +14641,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>The largest of all links and of all threads of elastic panels.</source>
+        <translation>Le plus grand de toutes les liaisons et de tous les fils des panneaux élastiques.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>The largest of all links.</source>
         <translation>La plus grande de toutes les liaisons.</translation>
     </message>
@@ -15418,6 +15438,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>link</source>
         <translation>liaison</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>links or panels, or parts and groups with some</source>
+        <translation>des liaisons ou des panneaux, ou des pièces et groupes qui en ont</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -4,9 +4,11 @@
 // be measured; then the menu of a right click, and the peak in the legend.
 #include "app/sheet_shop.h"
 
+#include "builders/builder.h"
 #include "document/spoken.h"
 #include "overlays/legend.h"
 #include "overlays/probe_labels.h"
+#include "scene/path.h"
 #include "select/measure.h"
 
 #include <QStatusBar>
@@ -66,6 +68,23 @@ private slots:
         QVERIFY(added);
         QCOMPARE(added->from, Sheet::at(0, 0));
         QCOMPARE(added->target, Sheet::at(8, 4));
+    }
+
+    // Cloth that one can buy has panels and no links.
+    void strainOfElasticCloth()
+    {
+        const Builder& builder = *findBuilder("cloth");
+        const Result<Scene> cloth = build(builder, newDesign(builder, {{"sphere", 0.0}}));
+        QVERIFY(cloth);
+        Shop shop(*cloth);
+        const Id sheet = *findNamed(shop.document.scene(), Kind::Part, "sheet");
+        for (const char* measure : {"measure_max_strain", "measure_margin", "measure_torn_links"}) {
+            shop.selection.set({sheet});
+            shop.run(measure);
+            const Probe* added =
+                findItem<Probe>(shop.document.scene(), shop.selection.ids().front());
+            QVERIFY2(added && added->target == sheet, measure);
+        }
     }
 
     // What cannot be measured there is said, and nothing changes.

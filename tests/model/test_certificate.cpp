@@ -221,6 +221,10 @@ private slots:
         QVERIFY(!none);
         QVERIFY(QString::fromStdString(none.message().english()).contains("no probe"));
 
+        const auto tooShort = certify(fall(Integrator::SemiImplicitEuler), 1e-9, {}, {});
+        QVERIFY(!tooShort);
+        QVERIFY(QString::fromStdString(tooShort.message().english()).contains("a time step"));
+
         const auto cancelled =
             certify(fall(Integrator::SemiImplicitEuler), 1.0, {}, [](double) { return false; });
         QVERIFY(!cancelled);

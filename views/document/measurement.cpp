@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 
 namespace ripstop {
 namespace {
@@ -26,7 +28,9 @@ constexpr std::array keys{
     Measurement::Key{"z", "m", "Where it is now, along z; of links and panels their middle.",
                      everything},
     Measurement::Key{"speed", "m/s", "How fast a particle moves now.", Kinds{Kind::Particle}},
-    Measurement::Key{"strain", "%", "How far a link is stretched now.", Kinds{Kind::Link}},
+    Measurement::Key{"strain", "%",
+                     "How far a link is stretched now, or what stretches most of an elastic panel.",
+                     Kinds{Kind::Link, Kind::Panel}},
     Measurement::Key{"tension", "N", "How hard a link pulls now; below 0 it pushes.",
                      Kinds{Kind::Link}},
     Measurement::Key{"length", "m", "How long a link is now.", Kinds{Kind::Link}},
@@ -61,6 +65,15 @@ Vec3 middleOf(const Frame& frame, Kind kind, Row row)
     return (placeOf(frame, a) + placeOf(frame, b) + placeOf(frame, c)) / 3.0;
 }
 
+double strainOf(const Frame& frame, Kind kind, Row row) // %
+{
+    if (kind == Kind::Link)
+        return 100.0 * frame.strain[row];
+    const bool carries = !frame.panelPull.empty() && frame.panelPull[row].carries;
+    return carries ? 100.0 * frame.panelPull[row].strain : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Not a number where there is nothing of it.
 double valueOf(const Frame& frame, std::string_view key, Kind kind, Row row)
 {
     if (key.size() == 1)
@@ -68,7 +81,7 @@ double valueOf(const Frame& frame, std::string_view key, Kind kind, Row row)
     if (key == "speed")
         return frame.velocity[row].norm();
     if (key == "strain")
-        return 100.0 * frame.strain[row];
+        return strainOf(frame, kind, row);
     if (key == "tension")
         return frame.tension[row];
     if (key == "length") {
@@ -148,7 +161,8 @@ QString readingOf(const Frame& frame, Id element)
         if (!place || !key.kinds.contains(place->kind))
             continue;
         const double value = valueOf(frame, told, place->kind, place->row);
-        texts << spokenText(value, key.unit, 3);
+        if (!std::isnan(value))
+            texts << spokenText(value, key.unit, 3);
     }
     return texts.join(QStringLiteral(" · "));
 }

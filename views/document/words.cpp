@@ -8,6 +8,7 @@
 #include "materials/presets.h"
 
 #include <QCoreApplication>
+#include <QKeySequence>
 #include <QLocale>
 #include <QRegularExpression>
 
@@ -93,6 +94,11 @@ QString translated(const Message& message)
             .replace(QChar('.'), QLocale().decimalPoint())
             .toStdString();
     }));
+}
+
+QString keyText(const std::string& key)
+{
+    return QKeySequence(QString::fromStdString(key)).toString(QKeySequence::NativeText);
 }
 
 QString kindLabel(Kind kind) { return translated("Kind", wordsOf(kind).one); }

@@ -20,6 +20,9 @@ QString words(const char* english);
 QString translated(std::string_view english);
 QString translated(const Message& message);
 
+// The key of a control, "Left", as the language of the window calls it.
+QString keyText(const std::string& key);
+
 QString kindLabel(Kind kind);                  // "Particle"
 QString kindPluralLabel(Kind kind);            // "Particles"
 QString counted(Kind kind, qsizetype n);       // "1 particle", "20,000 particles"

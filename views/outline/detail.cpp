@@ -61,7 +61,7 @@ struct Writer
         QStringList keys;
         for (const std::string& key : {control.keyLess, control.keyMore})
             if (!key.empty())
-                keys << QString::fromStdString(key);
+                keys << keyText(key);
         return keys.join(QStringLiteral(" / "));
     }
     QString operator()(const Probe& probe) const

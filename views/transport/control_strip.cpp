@@ -5,10 +5,10 @@
 
 #include "document/document.h"
 #include "document/player.h"
+#include "document/words.h"
 #include "transport/value_bar.h"
 
 #include <QGridLayout>
-#include <QKeySequence>
 #include <QLabel>
 #include <QLocale>
 #include <QToolButton>
@@ -17,15 +17,6 @@
 #include <algorithm>
 
 namespace ripstop {
-namespace {
-
-QString keyText(const std::string& key)
-{
-    return QKeySequence(QString::fromStdString(key)).toString(QKeySequence::NativeText);
-}
-
-} // namespace
-
 ControlStrip::ControlStrip(Document& document, Player& player, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
