@@ -63,6 +63,18 @@ std::optional<Failure> write(FrameSource& source, const Scene& scene, const Expo
                      });
 }
 
+// Whether an OBJ file was exported by Ripstop, or is not there or empty.
+bool isOurs(const std::filesystem::path& mesh)
+{
+    std::ifstream file(mesh);
+    std::string begin(1024, '\0');
+    file.read(begin.data(), std::streamsize(begin.size()));
+    begin.resize(std::size_t(file.gcount()));
+    if (begin.starts_with("mtllib")) // stands in front of the first comment
+        begin.erase(0, begin.find('\n') + 1);
+    return begin.empty() || begin.starts_with("# Ripstop");
+}
+
 // Looks at what is written beside the target and has not been named: nothing that is read, and no
 // mesh that another program has made.
 int refuseFilesBeside(const ExportOptions& options, const Scene& scene, const FileNames& inputs)
@@ -74,11 +86,7 @@ int refuseFilesBeside(const ExportOptions& options, const Scene& scene, const Fi
     for (const std::filesystem::path& file : std::span(files).subspan(1)) { // the target has a name
         if (isInput(file.string(), inputs))
             return WrongUsage;
-        std::ifstream mesh(file);
-        std::string line;
-        while (std::getline(mesh, line) && line.starts_with("mtllib"))
-            ;
-        if (file.extension() == ".obj" && !line.empty() && !line.starts_with("# Ripstop"))
+        if (file.extension() == ".obj" && !isOurs(file))
             return fail(WrongUsage,
                         Message("%1 is written beside %2, and is there already; it is not from "
                                 "Ripstop, and would be lost: give the target another name.",

@@ -5,6 +5,7 @@
 // finding that can be repaired has the edit with it. Warnings are sorted to the front.
 #include "author/stability.h"
 
+#include "check/check.h"
 #include "check/step_limits.h"
 #include "derived/link_stiffness.h"
 #include "derived/panel_fabric.h"
@@ -92,11 +93,10 @@ std::optional<Finding> timeStep(const Look& look)
                                     shortNumber(substep), shortNumber(least))
                           : Message("%1 particles need a shorter substep than %2 s, down to %3 s.",
                                     count, shortNumber(substep), shortNumber(least));
-    const double wanted = std::ceil(settings.timeStep / (0.9 * least));
-    const Property& substeps = propertyOf<&Settings::substeps>();
-    if (least > 0.0 && wanted <= substeps.range.high)
-        finding.repair = setting(Message("Take %1 substeps", shortNumber(wanted)),
-                                 propertyOf<&Settings::substeps>(), {settingsId}, {int(wanted)});
+    const int wanted = substepsWithin({least, worst}, settings);
+    if (settings.timeStep / wanted <= least)
+        finding.repair = setting(Message("Take %1 substeps", wanted),
+                                 propertyOf<&Settings::substeps>(), {settingsId}, {wanted});
     return finding;
 }
 

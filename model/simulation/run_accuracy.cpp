@@ -19,8 +19,8 @@ Message RunAccuracy::complaint() const
                       Message::number("%.3g", worst));
     if (pulls <= wantedPulls && strain <= wantedStrain)
         return Message("%1. By now it is kept; a shorter time step may keep it throughout.", where);
-    const Message remedy = isAutomatic ? Message("Take a shorter time step.")
-                                       : Message("Take the automatic solver.");
+    const Message remedy =
+        isAutomatic ? Message("Take a shorter time step.") : Message("Take the automatic solver.");
     return pulls / wantedPulls >= strain / wantedStrain
                ? Message("%1. Pulls in links are off by %2 % in the last one, where %3 % are "
                          "wanted: the design is not as stiff as it says. %4",

@@ -19,7 +19,7 @@ struct RunAccuracy
     double strain = 0.0;        // 1, largest of the last step in rods that never stretch
     double wantedPulls = 0.01;  // 1
     double wantedStrain = 0.01; // 1
-    bool isAutomatic = false;    // the solver chooses what it takes
+    bool isAutomatic = false;   // the solver chooses what it takes
     std::int64_t steps = 0;
     std::int64_t missed = 0;     // steps of which either was too large
     double worst = 0.0;          // 1, how often the error was as large as it may be, at most

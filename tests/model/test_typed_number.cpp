@@ -197,7 +197,8 @@ private slots:
         QVERIFY(changed(std::monostate(), {Absolute, 2.0}) == Value(2.0));
     }
 
-    // Each number of a vector may have a unit, as in --set; the only one, at the end, is that of all.
+    // Each number of a vector may have a unit, as in --set; the only one, at the end, is that of
+    // all.
     void vectors()
     {
         const Property& velocity = *findProperty(Kind::Wind, "velocity");

@@ -296,6 +296,7 @@ private slots:
         QCOMPARE(find("x > 0 and z = 0 and length > 1"), Ids{Id{5}});
 
         QCOMPARE(readingOf(*frame, Id{7}), QString("2\u00a0Pa")); // it carries no pull
+        QCOMPARE(find("strain != 1 %"), Ids{Id{5}});
         frame->panelPull = {{.carries = true, .strain = 0.02}};
         QCOMPARE(find("strain > 1 %"), (Ids{Id{5}, Id{7}}));
         QVERIFY(readingOf(*frame, Id{7}).startsWith("2"));

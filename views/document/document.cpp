@@ -1,8 +1,7 @@
 // Edits come through push() and drag() into the undo stack, whose commands call applyNow(), as does
 // tryOut(): the only place where an edit reaches the scene, and so the only one that emits
-// changed(). Whole
-// scenes come through show(), which clears the history, because its commands belong to the scene
-// that is gone; replace() and recover() then mark the new scene as unsaved.
+// changed(). Whole scenes come through show(), which clears the history, because its commands
+// belong to the scene that is gone; replace() and recover() then mark the new scene as unsaved.
 #include "document/document.h"
 
 #include "document/edit_command.h"
@@ -136,6 +135,7 @@ QString Document::displayName() const
 void Document::show(Scene scene, const QString& file, const QString& suggestedName)
 {
     m_scene = std::move(scene);
+    m_back.reset();
     m_file = file;
     m_written = QFileInfo(file).lastModified();
     m_suggestedName = suggestedName;

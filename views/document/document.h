@@ -67,7 +67,7 @@ private:
     QUndoStack m_history;
     QString m_file;
     QString m_suggestedName;
-    QDateTime m_written; // when the file was, as last read or saved
+    QDateTime m_written;        // when the file was, as last read or saved
     std::optional<Edit> m_back; // from what is tried out
     int m_gesture = 0;
     bool m_isReplacing = false;

@@ -123,8 +123,11 @@ Measurement::Reading read(const Frame& frame, const Measurement::Key& key, Kind 
     const Layout& layout = *frame.layout;
     Measurement::Reading reading;
     const auto add = [&](std::uint32_t id, Row row) {
+        const double value = valueOf(frame, key.key, kind, row);
+        if (std::isnan(value))
+            return; // it would differ from any number
         reading.ids.push_back(Id(id));
-        reading.values.push_back(valueOf(frame, key.key, kind, row));
+        reading.values.push_back(value);
     };
     if (kind == Kind::Particle)
         for (Row i = 0; i < layout.particleId.size(); ++i)

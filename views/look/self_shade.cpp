@@ -38,10 +38,11 @@ bool SelfShade::frame(const Vec3& light, std::span<const Vec3> places,
         for (const int corner : panels[i]) {
             const Vec3& place = places[std::size_t(corner)];
             Spot& spot = m_spots[std::size_t(corner)];
+            if (!present[i] || isSeen(spot))
+                continue;
             const Eigen::Vector3f seen( // m
                 float(across.dot(place)), float(up.dot(place)), float(light.dot(place)));
-            const bool isNear = seen.allFinite() && seen.cwiseAbs().maxCoeff() < farthest;
-            if (!present[i] || isSeen(spot) || !isNear)
+            if (!seen.allFinite() || seen.cwiseAbs().maxCoeff() >= farthest)
                 continue;
             spot = {seen.x(), seen.y(), seen.z()};
             const auto& [x, y, z] = normals[std::size_t(corner)];
