@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 namespace ripstop {
@@ -26,6 +27,7 @@ struct Thread
     int a; // point indices, a < b
     int b;
     double area;                 // m^2, that it stands for
+    double squaredAspects;       // m^2, of the cells beside it (FabricStrip), times their areas
     std::array<int, 2> opposite; // corners of the triangles beside it; -1 for those of cells
     int sides;                   // faces beside it
     int material;                // of the file, of the first of these faces
@@ -69,6 +71,16 @@ private:
     int materialOf(int face) const { return m_mesh.mesh.material[std::size_t(face)]; }
     Id particle(int point) const { return m_particles[std::size_t(point)]; }
 
+    // m, of a cell as if it were a rectangle: the first and the third side, the two others.
+    std::pair<double, double> sidesOfCell(std::size_t face) const
+    {
+        const std::span<const int> corner = m_mesh.mesh.face(face);
+        const auto side = [&](std::size_t k) {
+            return (at(corner[(k + 1) % 4]) - at(corner[k])).norm();
+        };
+        return {0.5 * (side(0) + side(2)), 0.5 * (side(1) + side(3))};
+    }
+
     void addParticles()
     {
         for (std::size_t i = 0; i < m_mesh.mesh.points.size(); ++i) {
@@ -81,9 +93,14 @@ private:
     void findThreads()
     {
         std::vector<Thread> sides;
-        const auto add = [&](int a, int b, double area, int opposite, int face) {
-            sides.push_back(
-                {std::min(a, b), std::max(a, b), area, {opposite, -1}, 1, materialOf(face)});
+        const auto add = [&](int a, int b, double area, double aspect, int opposite, int face) {
+            sides.push_back({std::min(a, b),
+                             std::max(a, b),
+                             area,
+                             area * aspect * aspect,
+                             {opposite, -1},
+                             1,
+                             materialOf(face)});
         };
         for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t) {
             if (m_isCell[std::size_t(m_mesh.faceOf[t])])
@@ -91,17 +108,18 @@ private:
             const auto& [a, b, c] = m_mesh.triangles[t];
             const double area = 0.5 * (at(b) - at(a)).cross(at(c) - at(a)).norm();
             const int face = m_mesh.faceOf[t];
-            add(a, b, area, c, face);
-            add(b, c, area, a, face);
-            add(c, a, area, b, face);
+            add(a, b, area, 1.0, c, face);
+            add(b, c, area, 1.0, a, face);
+            add(c, a, area, 1.0, b, face);
         }
         for (std::size_t i = 0; i < m_isCell.size(); ++i) {
             if (!m_isCell[i])
                 continue;
             const std::span<const int> corners = m_mesh.mesh.face(i);
             const double half = 0.25 * doubleArea(corners, m_mesh.mesh.points).norm();
+            const auto [p, q] = sidesOfCell(i);
             for (std::size_t c = 0; c < 4; ++c)
-                add(corners[c], corners[(c + 1) % 4], half, -1, int(i));
+                add(corners[c], corners[(c + 1) % 4], half, c % 2 == 0 ? p / q : q / p, -1, int(i));
         }
         std::ranges::stable_sort(sides, [](const Thread& s, const Thread& t) {
             return std::pair(s.a, s.b) < std::pair(t.a, t.b);
@@ -113,6 +131,7 @@ private:
             }
             Thread& thread = m_threads.back();
             thread.area += side.area;
+            thread.squaredAspects += side.squaredAspects;
             if (thread.sides++ == 1)
                 thread.opposite[1] = side.opposite[0];
         }
@@ -140,8 +159,9 @@ private:
                 return false;
             const Thread& thread = m_threads[i];
             if (tie(thread.a, thread.b, style, materials.of(thread.material)))
-                m_network.asFabric(LinkRole::Thread,
-                                   thread.area / (at(thread.b) - at(thread.a)).norm());
+                m_network.asFabric(
+                    {LinkRole::Thread, thread.area / (at(thread.b) - at(thread.a)).norm(),
+                     aspectOfCells(std::sqrt(thread.squaredAspects), std::sqrt(thread.area))});
         }
         return true;
     }
@@ -152,13 +172,11 @@ private:
             if (!m_isCell[i])
                 continue;
             const std::span<const int> corner = m_mesh.mesh.face(i);
-            const auto side = [&](int k) {
-                return (at(corner[std::size_t((k + 1) % 4)]) - at(corner[std::size_t(k)])).norm();
-            };
-            const double width = biasWidth(0.5 * (side(0) + side(2)), 0.5 * (side(1) + side(3)));
+            const auto [p, q] = sidesOfCell(i);
+            const double width = biasWidth(p, q);
             for (const std::size_t from : {0u, 1u})
                 if (tie(corner[from], corner[from + 2], style, materials.of(materialOf(int(i)))))
-                    m_network.asFabric(LinkRole::Bias, width);
+                    m_network.asFabric({LinkRole::Bias, width});
         }
         return goesOn(m_progress, 0.4);
     }
@@ -174,8 +192,8 @@ private:
             if (thread.sides != 2 || from < 0 || to < 0
                 || !tie(from, to, style, materials.of(thread.material)))
                 continue;
-            m_network.asFabric(LinkRole::Bias,
-                               8.0 / 3.0 * thread.area / (at(to) - at(from)).norm());
+            m_network.asFabric(
+                {LinkRole::Bias, 8.0 / 3.0 * thread.area / (at(to) - at(from)).norm()});
         }
         return true;
     }

@@ -3,7 +3,8 @@
 // Structural links run along the edges. An edge stands for a strip of fabric, whose width is an
 // area over the edge's length:
 // - In a convex quad, as in the cells of a woven sheet, half of the cell's area from either side:
-//   width 2 (A/2) / L is the height of the cell (link_stiffness.h).
+//   width 2 (A/2) / L is the height of the cell (link_stiffness.h). The squares of the aspects of
+//   cells that differ are taken by their areas.
 // - In a triangle all of its area, from either side: Van Gelder 1998, k = E t (A + A') / L^2.
 //   Three directions of threads resist shear too, with G = 3/8 E (equilateral triangles).
 // Polygons that are not convex or have more corners are taken as the triangles that they are split

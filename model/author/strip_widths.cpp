@@ -45,29 +45,30 @@ public:
         countTies();
     }
 
-    // Calls set(link, role, width in m) for each link that stands for a strip.
+    // Calls set(link, strip) for each link that stands for one.
     template <typename Set>
     void forEachStrip(Set set) const
     {
         for (const auto& [tie, side] : m_sides) {
             if (const auto link = m_links.find(tie); link != m_links.end()) {
                 if (isDiagonal(tie, side))
-                    set(link->second, LinkRole::Bias, cellWidth(tie, side));
+                    set(link->second, {LinkRole::Bias, widthIn(cellAt(tie, side))});
                 else
-                    set(link->second, LinkRole::Thread, areaBeside(side) / length(tie));
+                    set(link->second, threadBeside(tie, side));
             }
             const auto across = linkAcross(tie, side);
             if (across == m_links.end())
                 continue;
             const double area = m_area[side.panels[0]] + m_area[side.panels[1]];
-            set(across->second, LinkRole::Bias,
-                isDiagonal(tie, side) ? cellWidth(tie, side)
-                                      : 8.0 / 3.0 * area / length(across->first));
+            set(across->second,
+                {LinkRole::Bias, isDiagonal(tie, side) ? widthIn(cellAt(tie, side))
+                                                       : 8.0 / 3.0 * area / length(across->first)});
         }
     }
 
 private:
     using Links = std::map<ParticlePair, Id>;
+    using Sides = std::map<ParticlePair, StripSide>;
 
     Vec3 at(Id particle) const
     {
@@ -126,41 +127,58 @@ private:
                && m_across[side.panels[0]] == 1 && m_across[side.panels[1]] == 1;
     }
 
-    // The side across which the panel makes a cell, or null.
-    const StripSide* cellSide(std::size_t panel) const
+    // The side across which the panel makes a cell, or the end.
+    Sides::const_iterator cellSide(std::size_t panel) const
     {
         const Panel& row = m_part.panels[panel];
         for (const ParticlePair& tie :
              {pairOf(row.a, row.b), pairOf(row.b, row.c), pairOf(row.c, row.a)})
-            if (const StripSide& side = m_sides.at(tie); isDiagonal(tie, side))
-                return &side;
-        return nullptr;
+            if (const auto side = m_sides.find(tie); isDiagonal(tie, side->second))
+                return side;
+        return m_sides.end();
     }
 
-    // m^2, of fabric that a side stands for.
-    double areaBeside(const StripSide& side) const
+    // The fabric beside a side, shared out among its length.
+    FabricStrip threadBeside(const ParticlePair& tie, const StripSide& side) const
     {
-        double area = 0.0;
+        double area = 0.0, squaredAspects = 0.0; // m^2, the latter times the area of each
         for (const std::size_t panel : side.panels) {
-            const StripSide* cell = cellSide(panel);
-            area +=
-                cell ? 0.5 * (m_area[cell->panels[0]] + m_area[cell->panels[1]]) : m_area[panel];
+            const auto cell = cellSide(panel);
+            if (cell == m_sides.end()) {
+                area += m_area[panel];
+                squaredAspects += m_area[panel];
+                continue;
+            }
+            const auto& [diagonal, sides] = *cell;
+            const double half = 0.5 * (m_area[sides.panels[0]] + m_area[sides.panels[1]]);
+            const Cell lengths = cellAt(diagonal, sides);
+            const bool isFirst = tie == pairOf(diagonal.first, sides.opposite[0])
+                                 || tie == pairOf(diagonal.second, sides.opposite[1]);
+            const double aspect =
+                isFirst ? lengths.first / lengths.second : lengths.second / lengths.first;
+            area += half;
+            squaredAspects += half * aspect * aspect;
         }
-        return area;
+        return {LinkRole::Thread, area / length(tie),
+                aspectOfCells(std::sqrt(squaredAspects), std::sqrt(area))};
     }
 
-    // m, of either diagonal of the cell.
-    double cellWidth(const ParticlePair& tie, const StripSide& side) const
+    struct Cell // m, its mean sides
     {
-        const Vec3 a = at(tie.first), b = at(side.opposite[0]), c = at(tie.second),
+        double first;  // from the lower end of the diagonal to the first corner off it
+        double second; // from there to the upper end
+    };
+    Cell cellAt(const ParticlePair& diagonal, const StripSide& side) const
+    {
+        const Vec3 a = at(diagonal.first), b = at(side.opposite[0]), c = at(diagonal.second),
                    d = at(side.opposite[1]);
-        return biasWidth(0.5 * ((b - a).norm() + (d - c).norm()),
-                         0.5 * ((c - b).norm() + (a - d).norm()));
+        return {0.5 * ((b - a).norm() + (d - c).norm()), 0.5 * ((c - b).norm() + (a - d).norm())};
     }
+    static double widthIn(const Cell& cell) { return biasWidth(cell.first, cell.second); }
 
     const Part& m_part;
     Links m_links; // that may become strips
-    std::map<ParticlePair, StripSide> m_sides;
+    Sides m_sides;
     std::vector<double> m_area; // [panels] m^2
     std::vector<int> m_across;  // [panels] sides across which the panel is tied
 };
@@ -170,27 +188,35 @@ private:
 Result<StripWidths> widthsFromMesh(const Scene& scene, const std::vector<Id>& materials)
 {
     StripWidths made{{Message("Widths from the mesh"), {}}};
-    std::map<Id, std::pair<LinkRole, double>> strips; // each link once
+    std::map<Id, FabricStrip> strips; // each link once
     forEachPart(scene, [&](Id, const Part& part) {
-        Strips(part, materials).forEachStrip([&](Id link, LinkRole role, double width) {
-            if (width > 0.0 && std::isfinite(width)) // beside a side with length and area
-                strips.try_emplace(link, role, width);
+        Strips(part, materials).forEachStrip([&](Id link, const FabricStrip& strip) {
+            // beside a side with length, and cells with an area
+            if (strip.width > 0.0 && std::isfinite(strip.width * strip.cellAspect))
+                strips.try_emplace(link, strip);
         });
     });
     SetValues roles{&propertyOf<&Link::role>(), {}, {}};
     SetValues widths{&propertyOf<&Link::width>(), {}, {}};
+    SetValues aspects{&propertyOf<&Link::cellAspect>(), {}, {}};
     for (const auto& [link, strip] : strips) {
-        roles.targets.push_back(link);
-        roles.values.emplace_back(std::string(choiceNames<LinkRole>[std::size_t(strip.first)]));
-        widths.targets.push_back(link);
-        widths.values.emplace_back(strip.second);
-        ++(strip.first == LinkRole::Thread ? made.threads : made.biases);
+        const auto set = [link = link](SetValues& values, Value value) {
+            values.targets.push_back(link);
+            values.values.push_back(std::move(value));
+        };
+        set(roles, std::string(choiceNames<LinkRole>[std::size_t(strip.role)]));
+        set(widths, strip.width);
+        if (strip.role == LinkRole::Thread)
+            set(aspects, strip.cellAspect);
+        ++(strip.role == LinkRole::Thread ? made.threads : made.biases);
     }
     if (widths.targets.empty())
         return Failure("No link of this material lies along a panel, so that none gets a width: "
                        "draw panels between its links first.");
     made.edit.changes.emplace_back(std::move(roles));
     made.edit.changes.emplace_back(std::move(widths));
+    if (!aspects.targets.empty())
+        made.edit.changes.emplace_back(std::move(aspects));
     return made;
 }
 

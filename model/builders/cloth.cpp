@@ -218,13 +218,15 @@ private:
             return r >= 0 && c >= 0 && joins(r, c, r + 1, c + 1) ? 0.5 : 0.0;
         };
         if (rows == 0 && columns == 1)
-            network.asFabric(LinkRole::Thread,
-                             m_cellHeight * (cell(row - 1, column) + cell(row, column)));
+            network.asFabric({LinkRole::Thread,
+                              m_cellHeight * (cell(row - 1, column) + cell(row, column)),
+                              aspectOfCells(m_cellWidth, m_cellHeight)});
         else if (rows == 1 && columns == 0)
-            network.asFabric(LinkRole::Thread,
-                             m_cellWidth * (cell(row, column - 1) + cell(row, column)));
+            network.asFabric({LinkRole::Thread,
+                              m_cellWidth * (cell(row, column - 1) + cell(row, column)),
+                              aspectOfCells(m_cellHeight, m_cellWidth)});
         else if (rows == 1)
-            network.asFabric(LinkRole::Bias, biasWidth(m_cellWidth, m_cellHeight));
+            network.asFabric({LinkRole::Bias, biasWidth(m_cellWidth, m_cellHeight)});
     }
 
     // diagonals alternate, so that the sheet has no grain

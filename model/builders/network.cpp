@@ -94,10 +94,11 @@ Id Network::panel(Id a, Id b, Id c, Id material)
     return id;
 }
 
-void Network::asFabric(LinkRole role, double width)
+void Network::asFabric(const FabricStrip& strip)
 {
-    m_part.links.back().role = role;
-    m_part.links.back().width = width;
+    m_part.links.back().role = strip.role;
+    m_part.links.back().width = strip.width;
+    m_part.links.back().cellAspect = strip.cellAspect;
 }
 
 void Network::texture(Id particle, double u, double v)

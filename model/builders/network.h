@@ -5,6 +5,7 @@
 // keeps every table in ascending order.
 #pragma once
 
+#include "derived/link_stiffness.h"
 #include "scene/scene.h"
 
 #include <functional>
@@ -36,8 +37,8 @@ public:
     // Of the link laid last, m; it is under load or slack then.
     void setRestLength(double length) { m_part.links.back().restLength = length; }
 
-    // Says of the link laid last that it stands for a strip of fabric of this width, m.
-    void asFabric(LinkRole role, double width);
+    // Says of the link laid last what of a fabric it stands for.
+    void asFabric(const FabricStrip& strip);
 
     std::span<Panel> panels() { return m_part.panels; }
     Particle& row(Id particle) { return *findRow(m_part.particles, particle); }

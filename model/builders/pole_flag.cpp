@@ -125,13 +125,15 @@ std::vector<std::vector<Id>> addFlag(Network& network, const Parameters& p,
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column < columns; ++column) {
             network.spring(at(row, column), at(row, column + 1), materials.structural);
-            network.asFabric(LinkRole::Thread, row == 0 || row == rows ? 0.5 * height : height);
+            network.asFabric({LinkRole::Thread, row == 0 || row == rows ? 0.5 * height : height,
+                              aspectOfCells(width, height)});
         }
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column <= columns; ++column) {
             network.spring(at(row, column), at(row + 1, column), materials.structural);
-            network.asFabric(LinkRole::Thread,
-                             column == 0 || column == columns ? 0.5 * width : width);
+            network.asFabric({LinkRole::Thread,
+                              column == 0 || column == columns ? 0.5 * width : width,
+                              aspectOfCells(height, width)});
         }
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
@@ -139,7 +141,7 @@ std::vector<std::vector<Id>> addFlag(Network& network, const Parameters& p,
             const Id c = at(row + 1, column), d = at(row + 1, column + 1);
             for (const auto& [from, to] : {std::pair(a, d), std::pair(b, c)}) {
                 network.spring(from, to, materials.shear);
-                network.asFabric(LinkRole::Bias, biasWidth(width, height));
+                network.asFabric({LinkRole::Bias, biasWidth(width, height)});
             }
             const bool leansRight = (row + column) % 2 == 0; // no grain
             network.panel(a, b, leansRight ? d : c, materials.cloth);

@@ -14,6 +14,7 @@
 #include "check/network_check.h"
 #include "check/step_limits.h"
 #include "check/tear_check.h"
+#include "check/thread_check.h"
 #include "check/unknown_items.h"
 #include "derived/canopy_shape.h"
 #include "derived/collider_shape.h"
@@ -96,6 +97,7 @@ public:
         stability();
         gaps();
         checkTearing(m_scene, adding());
+        checkThreads(m_scene, adding());
         checkUnknownItems(m_scene, adding());
         if (!hasParticles(m_scene))
             add("empty", Severity::Warning,

@@ -30,6 +30,8 @@ void takeTear(const Material& material, const LinkStuff& stuff, const ElementFac
                       factors.strength);
 }
 
+FabricStrip stripOf(const LinkStuff& stuff) { return {stuff.role, stuff.width, stuff.cellAspect}; }
+
 template <typename T, typename Visit>
 void forEachItem(const Scene& scene, Visit visit)
 {
@@ -185,7 +187,7 @@ LinkStuff stuffOf(const Link& row)
 {
     const int own = (row.stiffness ? OwnStiffness : 0) | (row.damping ? OwnDamping : 0)
                     | (row.compliance ? OwnCompliance : 0) | (row.tearLimit ? OwnTearLimit : 0);
-    return {Key(row.material), std::uint8_t(own), row.role, row.width};
+    return {Key(row.material), std::uint8_t(own), row.role, row.width, row.cellAspect};
 }
 
 Spring springOf(const Link& row, const Material& material, int a, int b)
@@ -322,8 +324,8 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, const Elemen
                   Spring& spring)
 {
     if (!(stuff.own & OwnStiffness))
-        spring.stiffness = factors.stiffness
-                           * springStiffness(material, stuff.role, stuff.width, spring.restLength);
+        spring.stiffness =
+            factors.stiffness * springStiffness(material, stripOf(stuff), spring.restLength);
     if (!(stuff.own & OwnDamping))
         spring.damping = material.damping;
     takeTear(material, stuff, factors, spring.tear);
@@ -334,7 +336,7 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, const Elemen
 {
     if (!(stuff.own & OwnCompliance))
         rod.compliance =
-            rodCompliance(material, stuff.role, stuff.width, rod.restLength) / factors.stiffness;
+            rodCompliance(material, stripOf(stuff), rod.restLength) / factors.stiffness;
     rod.dampingTime = material.dampingTime;
     takeTear(material, stuff, factors, rod.tear);
 }

@@ -1,49 +1,84 @@
 #include "derived/link_stiffness.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
 namespace {
 
-// N: tension per strain of the link; nothing when the material does not say.
-std::optional<double> tensionPerStrain(const Material& material, LinkRole role, double width)
+// N/m, c of the header.
+double alongOrAcross(double whole, double shear)
 {
-    if (role == LinkRole::Line)
+    return 0.5 * (whole + std::sqrt(whole * whole + 4.0 * shear * shear));
+}
+
+// N/m, Y of the header; what is left where the diagonals alone are too stiff keeps a link a link.
+double threadStiffness(double whole, double shear, double aspect)
+{
+    constexpr double least = 1e-3; // of c
+    const double c = alongOrAcross(whole, shear);
+    return std::max(c - shear * aspect * aspect, least * c);
+}
+
+// N: tension per strain of the link; nothing when the material does not say.
+std::optional<double> tensionPerStrain(const Material& material, const FabricStrip& strip)
+{
+    if (strip.role == LinkRole::Line)
         return material.axialStiffness;
-    if (width == 0.0)
+    if (strip.width == 0.0)
         return std::nullopt;
     const double shear = material.shearStiffness.value_or(0.0);
-    if (role == LinkRole::Bias)
-        return material.shearStiffness ? std::optional(shear * width) : std::nullopt;
+    if (strip.role == LinkRole::Bias)
+        return material.shearStiffness ? std::optional(shear * strip.width) : std::nullopt;
     if (!material.membraneStiffness)
         return std::nullopt;
-    const double whole = *material.membraneStiffness;
-    return (0.5 * (whole + std::sqrt(whole * whole + 4.0 * shear * shear)) - shear) * width;
+    return threadStiffness(*material.membraneStiffness, shear, strip.cellAspect) * strip.width;
 }
 
 } // namespace
 
-double springStiffness(const Material& material, LinkRole role, double width, double restLength)
+FabricStrip stripOf(const Link& link) { return {link.role, link.width, link.cellAspect}; }
+
+double springStiffness(const Material& material, const FabricStrip& strip, double restLength)
 {
-    const auto tension = tensionPerStrain(material, role, width);
+    const auto tension = tensionPerStrain(material, strip);
     // a spring without length has no strain
     return tension && restLength > 0.0 ? *tension / restLength : material.stiffness;
 }
 
-double rodCompliance(const Material& material, LinkRole role, double width, double restLength)
+double rodCompliance(const Material& material, const FabricStrip& strip, double restLength)
 {
-    const auto tension = tensionPerStrain(material, role, width);
+    const auto tension = tensionPerStrain(material, strip);
     return tension && restLength > 0.0 ? restLength / *tension : material.compliance;
 }
 
 double springStiffness(const Material& material, const Link& link)
 {
-    return link.stiffnessFactor * springStiffness(material, link.role, link.width, link.restLength);
+    return link.stiffnessFactor * springStiffness(material, stripOf(link), link.restLength);
 }
 
 double rodCompliance(const Material& material, const Link& link)
 {
-    return rodCompliance(material, link.role, link.width, link.restLength) / link.stiffnessFactor;
+    return rodCompliance(material, stripOf(link), link.restLength) / link.stiffnessFactor;
+}
+
+double aspectOfCells(double along, double across)
+{
+    constexpr double rounding = 1e-9;
+    const double aspect = along / across;
+    return std::abs(aspect - 1.0) < rounding ? 1.0 : aspect;
+}
+
+std::optional<double> fabricModulus(const Material& material, double cellAspect)
+{
+    if (!material.membraneStiffness)
+        return std::nullopt;
+    const double shear = material.shearStiffness.value_or(0.0);
+    const double square = cellAspect * cellAspect;
+    const double whole = *material.membraneStiffness;
+    const double along = threadStiffness(whole, shear, cellAspect) + shear * square;
+    const double across = threadStiffness(whole, shear, 1.0 / cellAspect) + shear / square;
+    return along - shear * shear / across;
 }
 
 double biasWidth(double p, double q)

@@ -57,6 +57,7 @@ struct Link
     LinkRole role = LinkRole::Line;
     double restLength = 1.0;          // m
     double width = 0.0;               // m, of the strip of fabric that a thread or bias stands for
+    double cellAspect = 1.0;          // 1, length over width of the cells beside a thread
     std::optional<double> stiffness;  // N/m, springs
     std::optional<double> damping;    // N s/m, springs
     std::optional<double> compliance; // m/N, rods

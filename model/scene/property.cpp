@@ -160,6 +160,7 @@ std::span<const Property> allProperties()
         property<&Link::restLength>      ("restLength",  "Rest length",  "m",       Recompile,   "Length without load.", {}, {.range = notNegative, .traits = {Own}}),
         property<&Link::role>            ("role",        "Role",         "",        Recompile,   "What the link stands for where its material has a physical stiffness: a line or spar by itself, threads of a fabric, or its resistance to shear.", {}, {.traits = {Looks, Counts}}),
         property<&Link::width>           ("width",       "Width",        "m",       Recompile,   "Width of the strip of fabric that a thread or bias stands for; with 0 it takes the material's stiffness or compliance as it is.", {isNoLine}, {.range = notNegative, .traits = {Looks, Counts}}),
+        property<&Link::cellAspect>      ("cellAspect",  "Aspect of cells", "", Recompile, "How many times as long as wide the cells of the fabric beside a thread are. Their diagonals resist stretching along it by the square of that, which the thread takes off its own stiffness.", {isThread}, {.range = positive}),
         property<&Link::stiffness>       ("stiffness",   "Stiffness",    "N/m",     Recompile,   "Force of a spring per metre of stretch; empty takes the material's.", {isSpring}, {.range = notNegative, .traits = {Counts}}),
         property<&Link::damping>         ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching; empty takes the material's.", {isSpring}, {.range = notNegative, .traits = {Counts}}),
         property<&Link::compliance>      ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton, 0 never stretches; empty takes the material's.", {isRod, softRods}, {.range = notNegative, .traits = {Counts}}),
@@ -189,7 +190,7 @@ std::span<const Property> allProperties()
         property<&Part::massTarget>      ("massTarget",  "Target mass",  "kg",      DisplayOnly, "What it is meant to weigh; the totals show the difference, and empty sets no target.", {}, {.range = positive}),
         property<&Part::lengthTarget>    ("lengthTarget", "Target length", "m",     DisplayOnly, "Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.", {}, {.range = positive}),
         property<&Part::areaTarget>      ("areaTarget",  "Target area",  "m\u00b2", DisplayOnly, "Area that its panels are meant to have; empty sets no target.", {}, {.range = positive}),
-        property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand.", {}, {.traits = {Own}}),
+        property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand.", {}, {.traits = {Own, Noted}}),
 
         property<&Material::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),
         property<&Material::color>       ("color",       "Colour",       "",        DisplayOnly, "Colour in the view, as #rrggbb.", {}, {.meaning = Color}),

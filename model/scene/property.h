@@ -144,7 +144,8 @@ enum class Trait {
     Looks,     // how things are drawn; what has DisplayOnly as its effect has this in any case
     Counts,    // how many things ask for what (usage.h)
     Solving,   // how a run is computed, which the automatic solver sees to
-    Own        // the thing's own, such as a name or a place: no default is worth going back to
+    Own,       // the thing's own, such as a name or a place: no default is worth going back to
+    Noted      // by the program for itself: forms do not offer it
 };
 using Traits = SetOf<Trait>;
 

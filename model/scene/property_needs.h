@@ -66,6 +66,7 @@ inline constexpr Need isGuided = need([](const Particle& p, const Around&) { ret
 inline constexpr Need isSpring = need([](const Link& l, const Around&) { return l.kind == LinkKind::Spring; }, idle::linkIsRod);
 inline constexpr Need isRod = need([](const Link& l, const Around&) { return l.kind == LinkKind::Rod; }, idle::linkIsSpring);
 inline constexpr Need takesStiffness = need([](const Link& l, const Around&) { return !(l.kind == LinkKind::Rod ? l.compliance : l.stiffness); }, "the link has a stiffness of its own");
+inline constexpr Need isThread = need([](const Link& l, const Around&) { return l.role == LinkRole::Thread && l.width > 0.0; }, "the link is no thread with a width");
 inline constexpr Need isNoLine = need([](const Link& l, const Around&) { return l.role != LinkRole::Line; }, "a line has none");
 inline constexpr Need canTear = need([](const Link& l, const Around& a) {
     const Material* material = findItem<Material>(a.scene, l.material);

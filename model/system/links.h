@@ -86,7 +86,8 @@ struct LinkStuff
     Key material = 0;
     std::uint8_t own = 0; // bits, one for each number that is the link's own
     LinkRole role = LinkRole::Line;
-    double width = 0.0; // m, of the strip of fabric
+    double width = 0.0;      // m, of the strip of fabric
+    double cellAspect = 1.0; // 1, of the cells beside a thread
 
     friend bool operator==(const LinkStuff&, const LinkStuff&) = default;
 };

@@ -120,8 +120,8 @@
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
-        <source>Paint the other side of the plane x = 0 as well.</source>
-        <translation>Peindre aussi l’autre côté du plan x = 0.</translation>
+        <source>Paint the other side of the part as well: across the plane that it is most nearly its own mirror image at. A second ring shows where that is.</source>
+        <translation>Peindre aussi l’autre côté de la pièce : par rapport au plan qui en fait le plus exactement sa propre image. Un second cercle montre où il se trouve.</translation>
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
@@ -6184,6 +6184,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>la scène n’a rien de la sorte %1</translation>
     </message>
     <message>
+        <location filename="path.cpp"/>
+        <source>two items are called "%1"; rename one, or say #%2 or #%3</source>
+        <translation>deux éléments s’appellent « %1 » ; renommez-en un, ou écrivez #%2 ou #%3</translation>
+    </message>
+    <message>
         <location filename="percentile_chart.cpp"/>
         <source>25 to 75 %</source>
         <translation>de 25 à 75 %</translation>
@@ -10576,6 +10581,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Aspect of cells</source>
+        <translation>Allongement des mailles</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>At the first</source>
         <translation>À la première</translation>
     </message>
@@ -12198,6 +12208,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>How many there are in the end, with the one that is there.</source>
         <translation>Combien il y en a à la fin, avec celui qui est là.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many times as long as wide the cells of the fabric beside a thread are. Their diagonals resist stretching along it by the square of that, which the thread takes off its own stiffness.</source>
+        <translation>Combien de fois plus longues que larges sont les mailles du tissu au bord d’un fil. Leurs diagonales résistent à l’étirement le long du fil par le carré de ce rapport, que le fil retranche de sa propre raideur.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15651,6 +15666,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>the link is no thread with a width</source>
+        <translation>le lien n’est pas un fil avec une largeur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>the material never tears; choose what it tears by</source>
         <translation>le matériau ne se rompt jamais ; choisir par quoi il rompt</translation>
     </message>
@@ -15933,6 +15953,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="theme_rows.cpp"/>
         <source>Reset la&amp;yout</source>
         <translation>Rétablir la disposi&amp;tion</translation>
+    </message>
+    <message>
+        <location filename="thread_check.cpp"/>
+        <source>Threads of %1 pull with up to %2 along cells that are %3 times as long as wide, instead of the membrane stiffness of %4, %5: their diagonals alone are stiffer. Make the cells squarer, or have panels carry the pull.</source>
+        <translation>Les fils de %1 tirent jusqu’à %2 le long de mailles %3 fois plus longues que larges, au lieu de la raideur de membrane de %4, %5 : leurs diagonales seules sont plus raides. Rendez les mailles plus carrées, ou faites porter la traction par les panneaux.</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -16331,6 +16356,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="totals.cpp"/>
+        <source>%1 as it comes</source>
+        <translation>%1, tel quel</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
         <source>%1 long</source>
         <translation>%1 de long</translation>
     </message>
@@ -16363,6 +16393,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="totals.cpp"/>
         <source>Centre of gravity %1, inertia %2</source>
         <translation>Centre de gravité %1, inertie %2</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>Change it with Insert &gt; Change parameters.</source>
+        <translation>Pour le changer : Insertion &gt; Changer les paramètres.</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>

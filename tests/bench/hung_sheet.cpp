@@ -37,7 +37,7 @@ Scene HungSheet::scene() const
         }
     const auto thread = [&](int from, int to, double width) {
         network.rod(ids[std::size_t(from)], ids[std::size_t(to)], made);
-        network.asFabric(LinkRole::Thread, width);
+        network.asFabric({LinkRole::Thread, width});
     };
     for (int row = 0; row <= cells; ++row)
         for (int column = 0; column <= cells; ++column) {

@@ -7,6 +7,7 @@
 #include "registered_test.h"
 
 #include "builders/builder.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "derived/link_stiffness.h"
 #include "io/scene_file.h"
@@ -38,21 +39,61 @@ private slots:
         Material m;
         m.stiffness = 7.0;
         m.compliance = 0.3;
-        QCOMPARE(springStiffness(m, LinkRole::Line, 0.0, 2.0), 7.0);
-        QCOMPARE(rodCompliance(m, LinkRole::Thread, 0.1, 2.0), 0.3);
+        QCOMPARE(springStiffness(m, {LinkRole::Line}, 2.0), 7.0);
+        QCOMPARE(rodCompliance(m, {LinkRole::Thread, 0.1}, 2.0), 0.3);
         m.axialStiffness = 1e4;
         m.membraneStiffness = 600.0;
-        QCOMPARE(springStiffness(m, LinkRole::Line, 0.0, 2.0), 5000.0);
-        QCOMPARE(rodCompliance(m, LinkRole::Line, 0.0, 2.0), 2e-4);
-        QCOMPARE(springStiffness(m, LinkRole::Thread, 0.1, 0.2), 300.0);
-        QCOMPARE(springStiffness(m, LinkRole::Bias, 0.1, 0.2), 7.0); // no shear stiffness
+        QCOMPARE(springStiffness(m, {LinkRole::Line}, 2.0), 5000.0);
+        QCOMPARE(rodCompliance(m, {LinkRole::Line}, 2.0), 2e-4);
+        QCOMPARE(springStiffness(m, {LinkRole::Thread, 0.1}, 0.2), 300.0);
+        QCOMPARE(springStiffness(m, {LinkRole::Bias, 0.1}, 0.2), 7.0); // no shear stiffness
         m.shearStiffness = 50.0;
-        QCOMPARE(springStiffness(m, LinkRole::Bias, biasWidth(0.3, 0.4), 0.5),
+        QCOMPARE(springStiffness(m, {LinkRole::Bias, biasWidth(0.3, 0.4)}, 0.5),
                  50.0 * 0.25 / (2.0 * 0.12));
         // nothing to divide by
-        QCOMPARE(springStiffness(m, LinkRole::Thread, 0.0, 0.2), 7.0);
-        QCOMPARE(springStiffness(m, LinkRole::Line, 0.0, 0.0), 7.0);
-        QCOMPARE(rodCompliance(m, LinkRole::Line, 0.0, 0.0), 0.3);
+        QCOMPARE(springStiffness(m, {LinkRole::Thread, 0.0}, 0.2), 7.0);
+        QCOMPARE(springStiffness(m, {LinkRole::Line}, 0.0), 7.0);
+        QCOMPARE(rodCompliance(m, {LinkRole::Line}, 0.0), 0.3);
+    }
+
+    // Y = c - G r^2 along cells r times as long as wide, and E t = c - G^2 / c as for square ones;
+    // where G r^2 is above c, what the diagonals pull is left
+    void stiffnessAlongCellsThatAreNotSquare()
+    {
+        Material m;
+        QVERIFY(!fabricModulus(m, 1.0));
+        m.membraneStiffness = 600.0;
+        m.shearStiffness = 50.0;
+        const double c = 0.5 * (600.0 + std::sqrt(600.0 * 600.0 + 4.0 * 50.0 * 50.0));
+        const auto near = [](double value, double expected) {
+            return std::abs(value - expected) <= 1e-12 * expected;
+        };
+        QVERIFY(near(springStiffness(m, {LinkRole::Thread, 0.1, 3.0}, 0.2),
+                     (c - 9.0 * 50.0) * 0.1 / 0.2));
+        QVERIFY(near(springStiffness(m, {LinkRole::Thread, 0.1, 0.5}, 0.2),
+                     (c - 0.25 * 50.0) * 0.1 / 0.2));
+        for (const double aspect : {0.3, 1.0, 3.0})
+            QVERIFY(near(*fabricModulus(m, aspect), 600.0));
+        QVERIFY(*fabricModulus(m, 4.0) > 16.0 * 50.0 - 50.0 * 50.0 / c);
+        QVERIFY(std::isfinite(rodCompliance(m, {LinkRole::Thread, 0.1, 4.0}, 0.2)));
+    }
+
+    void tellsWhereDiagonalsAreTooStiff()
+    {
+        const auto warnings = [](int columns, int rows) {
+            Scene scene = *build(*findBuilder("cloth"), {{"columns", columns},
+                                                         {"rows", rows},
+                                                         {"membrane", 1000},
+                                                         {"shear", 0.3},
+                                                         {"sphere", 0}});
+            return std::ranges::count_if(problemsOf(scene), [](const Finding& finding) {
+                return finding.message.english().find("diagonals alone") != std::string::npos;
+            });
+        };
+        QCOMPARE(warnings(10, 10), 0);
+        QCOMPARE(warnings(10, 18), 0); // 1.8^2 * 0.3 is below c / E t = 1.08
+        QCOMPARE(warnings(10, 30), 1);
+        QCOMPARE(warnings(30, 10), 1);
     }
 
     void whatALinkSaysItselfWins()

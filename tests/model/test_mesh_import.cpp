@@ -45,6 +45,30 @@ private slots:
         QCOMPARE(mesh.report.count(MeshFault::InsideOutShells), 0u);
     }
 
+    // Cells of 3 x 1 and 2 x 1 beside each other: the thread between them stands for half of both,
+    // so that the square of its aspect is (1.5 / 9 + 1 / 4) / (1.5 + 1).
+    void cellsThatAreNotSquare()
+    {
+        const PreparedMesh mesh =
+            preparedOf(fileOf("cells.obj", "v 0 0 0\nv 3 0 0\nv 5 0 0\nv 0 1 0\nv 3 1 0\nv 5 1 0\n"
+                                           "f 1 2 5 4\nf 2 3 6 5\n"));
+        const Scene scene = sceneOf(mesh);
+        const Part& part = firstPart(scene);
+        QCOMPARE(countOf(part, LinkRole::Thread), 7u);
+        std::vector<double> along, across;
+        for (const Link& link : part.links)
+            if (link.role == LinkRole::Thread)
+                (link.restLength > 1.5 ? along : across).push_back(link.cellAspect);
+        std::ranges::sort(along);
+        std::ranges::sort(across);
+        const std::vector<double> lengths{2.0, 2.0, 3.0, 3.0};
+        const std::vector<double> heights{1.0 / 3.0, std::sqrt((1.5 / 9.0 + 0.25) / 2.5), 0.5};
+        for (std::size_t i = 0; i < along.size(); ++i)
+            QVERIFY(std::abs(along[i] - lengths[i]) < 1e-12);
+        for (std::size_t i = 0; i < across.size(); ++i)
+            QVERIFY(std::abs(across[i] - heights[i]) < 1e-12);
+    }
+
     void looseTrianglesOfAnStlAreJoined()
     {
         const PolygonMesh read = fileOf("cube.stl", cubeAsStl());

@@ -56,6 +56,7 @@ private slots:
         for (Link& link : partOf(bare).links) {
             link.role = LinkRole::Line;
             link.width = 0.0;
+            link.cellAspect = 1.0;
         }
         const auto made = widthsFromMesh(bare, materialsOf(bare));
         QVERIFY(made);
@@ -66,6 +67,7 @@ private slots:
             const Link& wanted = *findRow(partOf(woven).links, link.id);
             QCOMPARE(link.role, wanted.role);
             NEAR(link.width, wanted.width, 1e-9);
+            NEAR(link.cellAspect, wanted.cellAspect, 1e-9);
             threads += link.role == LinkRole::Thread;
             biases += link.role == LinkRole::Bias;
         }

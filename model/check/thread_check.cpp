@@ -1,0 +1,49 @@
+// One finding for each material of a part, which names its longest cells.
+#include "check/thread_check.h"
+
+#include "derived/link_stiffness.h"
+
+#include <map>
+
+namespace ripstop {
+namespace {
+
+constexpr double noticed = 1.05; // of the membrane stiffness
+
+bool followsMaterial(const Link& link)
+{
+    return link.role == LinkRole::Thread && link.width > 0.0
+           && !(link.kind == LinkKind::Rod ? link.compliance : link.stiffness);
+}
+
+} // namespace
+
+void checkThreads(const Scene& scene, const AddFinding& add)
+{
+    forEachPart(scene, [&](Id, const Part& part) {
+        std::map<Id, const Link*> longest; // of each material
+        for (const Link& link : part.links)
+            if (followsMaterial(link)) {
+                const Link*& most = longest.try_emplace(link.material, &link).first->second;
+                if (link.cellAspect > most->cellAspect)
+                    most = &link;
+            }
+        for (const auto& [id, link] : longest) {
+            const auto* const material = findItem<Material>(scene, id);
+            const auto modulus =
+                material ? fabricModulus(*material, link->cellAspect) : std::nullopt;
+            if (!modulus || *modulus <= noticed * *material->membraneStiffness)
+                continue;
+            add("aspect", Severity::Warning,
+                Message("Threads of %1 pull with up to %2 along cells that are %3 times as long as "
+                        "wide, instead of the membrane stiffness of %4, %5: their diagonals alone "
+                        "are stiffer. Make the cells squarer, or have panels carry the pull.",
+                        part.name, Message::number("%.0f N/m", *modulus),
+                        Message::number("%.2g", link->cellAspect), material->name,
+                        Message::number("%.0f N/m", *material->membraneStiffness)),
+                link->id);
+        }
+    });
+}
+
+} // namespace ripstop
