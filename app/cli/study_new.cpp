@@ -31,6 +31,7 @@ struct NewOptions
     std::int64_t polish = Polish::isThere() ? 40 : 0;
     std::uint64_t seed = 1;
     bool untilTear = false;
+    bool replaces = false;
     std::vector<std::string> minimise, maximise;      // "PROBE REDUCTION"
     std::vector<std::string> target, atMost, atLeast; // "PROBE REDUCTION=NUMBER"
     bool noTear = false;
@@ -176,6 +177,11 @@ int newStudy(const NewOptions& options)
     }
     if (const int code = refuseTargets({options.file}, {options.scene}); code != Done)
         return code;
+    std::error_code ignored;
+    if (!options.replaces && fs::is_regular_file(options.file, ignored))
+        return fail(BadInput, options.file
+                                  + " exists already; with --replace the new study takes "
+                                    "its place.");
     const std::string text = studyText(study);
     if (const auto again = studyOf(text); !again) // what cannot be read is not written
         return fail(WrongUsage, "The study " + again.message().english() + ".");
@@ -247,6 +253,7 @@ void addStudyNew(CLI::App& study, Command& chosen)
         ->check(numberBetween(0.0, 1e9))
         ->type_name("T");
     command->add_flag("--until-tear", options->untilTear, "End a flight with its first tear");
+    command->add_flag("--replace", options->replaces, "Also where there is a file of that name");
     command->callback([options, &chosen] { chosen = [options] { return newStudy(*options); }; });
 }
 

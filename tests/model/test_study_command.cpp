@@ -252,8 +252,16 @@ private slots:
              "airDensity");
         QVERIFY(!QFile::exists(folder.file("t.ripstop-study.json")));
         QFile file(folder.study());
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray text = file.readAll();
+        const auto textNow = [&] { return file.open(QIODevice::ReadOnly) ? file.readAll() : ""; };
+        const QByteArray text = textNow();
+        file.close();
+        const QStringList another{"study",           "new",    folder.study(),           "--scene",
+                                  scene("pendulum"), "--vary", "settings.airDensity=1,2"};
+        says(another, "--replace");
+        QCOMPARE(textNow(), text);
+        file.close();
+        QCOMPARE(call(another + QStringList{"--replace"}).exitCode, 0);
+        QVERIFY(textNow() != text);
         file.close();
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(
