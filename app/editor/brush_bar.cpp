@@ -76,7 +76,9 @@ void BrushBar::layOut()
         {tr("Soft"), tr("Hard")}, int(m_brush.falloff),
         [this](int row) { m_brush.falloff = Falloff(row); });
     auto* mirrors = new QCheckBox(tr("Mirror"));
-    mirrors->setToolTip(tr("Paint the other side of the plane x = 0 as well."));
+    mirrors->setToolTip(
+        tr("Paint the other side of the part as well: across the plane that it is most nearly its "
+           "own mirror image at. A second ring shows where that is."));
     mirrors->setChecked(m_brush.mirrors);
     connect(mirrors, &QCheckBox::toggled, this, [this](bool on) { m_brush.mirrors = on; });
     for (std::size_t i = 0; i < paintedCount; ++i)

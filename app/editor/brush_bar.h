@@ -1,6 +1,6 @@
 // The bar over the lower edge of the view while the brush is chosen: what it paints and with which
-// number, how wide it is (radius, m), how it falls off, and whether it paints the other side of
-// x = 0 as well.
+// number, how wide it is (radius, m), how it falls off, and whether it paints the other side as
+// well.
 //
 // It edits the Brush of the view. While the brush is chosen the view has the colours of what is
 // painted, and of a grain the strokes besides; then those that it had before. The main window makes

@@ -5,6 +5,7 @@
 
 #include "derived/flat_panel.h"
 #include "select/elements.h"
+#include "shaping/mirror_plane.h"
 
 #include <Eigen/Geometry>
 
@@ -22,8 +23,6 @@ double distanceToWay(const Vec3& place, const Vec3& from, const Vec3& to) // m
         square > 0.0 ? std::clamp((place - from).dot(way) / square, 0.0, 1.0) : 0.0;
     return (place - from - share * way).norm();
 }
-
-Vec3 mirrored(const Vec3& place) { return {-place.x(), place.y(), place.z()}; }
 
 // Degrees, 0 to 180.
 double asGrain(double angle)
@@ -95,6 +94,7 @@ void BrushStroke::add(const Scene& scene, const Part& part)
     if (!property)
         return;
     const auto number = [&](const auto& row) { return std::get<double>(property->get(&row)); };
+    const MirrorPlane plane = m_brush.mirrors ? mirrorPlaneOf(part) : MirrorPlane();
     if (byPanels) {
         for (const Panel& row : part.panels) {
             const Particle* const a = particleOf(scene, row.a);
@@ -105,8 +105,9 @@ void BrushStroke::add(const Scene& scene, const Part& part)
             const double to = m_brush.what == Painted::Grain
                                   ? asGrain(uprightGrain(*a, *b, *c) + m_brush.value())
                                   : m_brush.value();
-            m_spots.push_back({(a->position + b->position + c->position) / 3.0, row.id, Kind::Panel,
-                               number(row), to});
+            const Vec3 middle = (a->position + b->position + c->position) / 3.0;
+            m_spots.push_back(
+                {middle, plane.mirrored(middle), row.id, Kind::Panel, number(row), to});
         }
         return;
     }
@@ -120,9 +121,11 @@ void BrushStroke::add(const Scene& scene, const Part& part)
     for (const Link& row : part.links) {
         const Particle* const from = particleOf(scene, row.from);
         const Particle* const to = particleOf(scene, row.to);
-        if (from && to && !isOutside(row.from) && !isOutside(row.to))
-            m_spots.push_back({0.5 * (from->position + to->position), row.id, Kind::Link,
-                               number(row), m_brush.value()});
+        if (!from || !to || isOutside(row.from) || isOutside(row.to))
+            continue;
+        const Vec3 middle = 0.5 * (from->position + to->position);
+        m_spots.push_back(
+            {middle, plane.mirrored(middle), row.id, Kind::Link, number(row), m_brush.value()});
     }
 }
 
@@ -132,7 +135,7 @@ bool BrushStroke::paint(const Vec3& from, const Vec3& to)
     for (Spot& spot : m_spots) {
         double distance = distanceToWay(spot.place, from, to);
         if (m_brush.mirrors)
-            distance = std::min(distance, distanceToWay(mirrored(spot.place), from, to));
+            distance = std::min(distance, distanceToWay(spot.image, from, to));
         const double weight = m_brush.weightAt(distance);
         changes |= weight > spot.weight;
         spot.weight = std::max(spot.weight, weight);

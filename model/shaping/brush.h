@@ -31,7 +31,7 @@ struct Brush
 
     double radius = 0.1; // m
     Falloff falloff = Falloff::Smooth;
-    bool mirrors = false; // at the plane x = 0
+    bool mirrors = false; // at the plane of each part (mirror_plane.h)
 
     static constexpr double narrowest = 1e-4, widest = 1e3; // m, radius
 
@@ -69,6 +69,7 @@ private:
     struct Spot
     {
         Vec3 place; // m
+        Vec3 image; // m, on the other side
         Id id;
         Kind kind;
         double from;         // the number before

@@ -1,11 +1,13 @@
 // The brush (shaping/brush.h): what it reaches and with which weight, strokes, mirror, grain, and
 // undo.
+#include "builders/builder.h"
 #include "derived/flat_panel.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "registered_test.h"
 #include "select/elements.h"
 #include "shaping/brush.h"
+#include "shaping/mirror_plane.h"
 
 #include <QtTest>
 
@@ -114,7 +116,7 @@ private slots:
             QVERIFY2(isNear(slowly[i], once[i], 1e-12), told(slowly[i], once[i]));
     }
 
-    void mirrorsAtThePlaneOfX()
+    void mirrorsAtTheMiddle()
     {
         const Scene scene = sheet();
         const Brush brush{.radius = 0.05, .falloff = Falloff::Hard, .mirrors = true};
@@ -125,6 +127,25 @@ private slots:
             const bool isInside = std::min((middle - spot).norm(), (middle - other).norm()) <= 0.05;
             QCOMPARE(panel.strengthFactor, isInside ? 0.5 : 1.0);
         }
+    }
+
+    // Halves of kites lie along z, wherever the kite stands; what is longer to one side than to the
+    // other, as a delta from nose to tail, is no plane to mirror at.
+    void mirrorsKitesLeftAndRight()
+    {
+        for (const char* kite : {"delta_kite", "diamond_kite", "hang_glider"}) {
+            Scene scene = *build(*findBuilder(kite), {});
+            for (Entry& entry : scene.items)
+                if (Part* part = std::get_if<Part>(&entry.item))
+                    for (Particle& particle : part->particles)
+                        particle.position += Vec3(7.0, 3.0, 2.0);
+            const MirrorPlane plane = mirrorPlaneOf(partOf(scene));
+            QCOMPARE(plane.axis, 2);
+            QVERIFY2(isNear(plane.at, 2.0, 1e-9), told(plane.at, 2.0));
+            const auto same = mirrorPlaneAt(scene, partOf(scene).particles.front().position);
+            QVERIFY(same && same->axis == plane.axis && same->at == plane.at);
+        }
+        QVERIFY(!mirrorPlaneAt(Scene(), Vec3::Zero()));
     }
 
     // The warp of all panels lies 30 degrees from upright, whichever way their corners go round,

@@ -6,6 +6,7 @@
 #include "document/document.h"
 #include "document/words.h"
 #include "overlays/caption.h"
+#include "shaping/mirror_plane.h"
 #include "tools/picker.h"
 
 #include <QLocale>
@@ -145,8 +146,9 @@ void BrushTool::paint(QPainter& painter, const Theme& theme, const CameraView& v
     const Vec3 middle = m_place.value_or(view.camera.focus);
     const double radius = m_brush.radius / projection.metresPerPixel(middle);
     paintRing(painter, theme, *m_cursor, radius, m_place.has_value());
-    if (m_brush.mirrors && m_place) {
-        const Vec3 other(-m_place->x(), m_place->y(), m_place->z());
+    if (const auto plane = m_brush.mirrors && m_place ? mirrorPlaneAt(m_document.scene(), *m_place)
+                                                      : std::nullopt) {
+        const Vec3 other = plane->mirrored(*m_place);
         if (const std::optional<QPointF> pixel = projection.pixel(other))
             paintRing(painter, theme, *pixel, m_brush.radius / projection.metresPerPixel(other),
                       false);
