@@ -56,20 +56,42 @@ Result<Target> findNumbered(const Scene& scene, std::string_view name)
     return Failure("nothing in the scene has the id \"%1\"", name);
 }
 
+// Of items of one name, that which has the property; which of several is not guessed.
+std::optional<Result<Target>> findCalled(const Scene& scene, std::string_view name,
+                                         std::string_view key)
+{
+    std::optional<Target> any, found;
+    for (const Entry& entry : scene.items) {
+        if (nameOf(entry.item) != name)
+            continue;
+        const Target target{kindOf(entry.item), {entry.id}};
+        if (!any)
+            any = target;
+        if (!findProperty(target.kind, key))
+            continue;
+        if (found)
+            return Failure("two items are called \"%1\"; rename one, or say #%2 or #%3", name,
+                           std::uint32_t(found->ids[0]), std::uint32_t(entry.id));
+        found = target;
+    }
+    if (found)
+        return *std::move(found);
+    return any ? std::optional<Result<Target>>(*std::move(any)) : std::nullopt;
+}
+
 // `name` is all of the path before the property's key.
-Result<Target> findTarget(const Scene& scene, std::string_view name)
+Result<Target> findTarget(const Scene& scene, std::string_view name, std::string_view key)
 {
     if (name == "settings")
         return Target{Kind::Settings, {settingsId}};
     if (name.starts_with('#'))
         return findNumbered(scene, name);
 
+    if (auto called = findCalled(scene, name, key))
+        return *std::move(called);
     std::vector<std::string_view> names{"settings"};
-    for (const Entry& entry : scene.items) {
-        if (nameOf(entry.item) == name)
-            return Target{kindOf(entry.item), {entry.id}};
+    for (const Entry& entry : scene.items)
         names.push_back(nameOf(entry.item));
-    }
 
     if (const auto dot = name.rfind('.'); dot != std::string_view::npos) {
         const std::string_view table = name.substr(dot + 1);
@@ -98,11 +120,11 @@ Result<Place> findPlace(const Scene& scene, std::string_view path)
     if (dot == std::string_view::npos)
         return Failure("\"%1\" is no path; write ITEM.PROPERTY, like settings.timeStep", path);
 
-    const Result<Target> target = findTarget(scene, path.substr(0, dot));
+    const std::string_view key = path.substr(dot + 1);
+    const Result<Target> target = findTarget(scene, path.substr(0, dot), key);
     if (!target)
         return target.failure();
 
-    const std::string_view key = path.substr(dot + 1);
     if (const Property* property = findProperty(target->kind, key))
         return Place{property, target->ids};
     std::vector<std::string_view> keys;

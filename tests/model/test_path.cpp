@@ -74,6 +74,25 @@ private slots:
         QCOMPARE(found, targets);
     }
 
+    // A name that two items share means the one that has the property. Where both have it, neither
+    // is guessed.
+    void namesThatAreShared()
+    {
+        Scene scene = sample();
+        scene.items.push_back({Id{6}, Material{"kite"}});
+        QCOMPARE(findPlace(scene, "kite.stiffness")->targets, std::vector{Id{6}});
+        QCOMPARE(findPlace(scene, "kite.carrier")->targets, std::vector{Id{1}});
+        scene.items.push_back({Id{7}, Material{"fabric"}});
+        const auto both = findPlace(scene, "fabric.stiffness");
+        QVERIFY(!both);
+        QVERIFY2(both.message().english().find("say #4 or #7") != std::string::npos,
+                 both.message().english().c_str());
+        QCOMPARE(pathOf(scene, Id{7}, propertyOf<&Material::stiffness>()),
+                 std::string("#7.stiffness"));
+        QCOMPARE(pathOf(scene, Id{4}, propertyOf<&Material::stiffness>()),
+                 std::string("#4.stiffness"));
+    }
+
     void suggests_data()
     {
         QTest::addColumn<QString>("path");
