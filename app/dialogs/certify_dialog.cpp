@@ -43,18 +43,18 @@ const Parameter secondsParameter{"--seconds",
                                  "Simulated time; the longer, the less is left of the digits."};
 
 // To the second digit of its error; what is less than that is nothing.
-QString valueText(const CertifiedProbe& probe)
+QString valueText(const CertifiedProbe& probe, bool isShare)
 {
     const double value = probe.result.value[0];
     const double error = probe.result.error;
     int digits = 8;
     if (std::isfinite(error) && error > 0.0) {
         if (std::abs(value) < error)
-            return spokenText(0.0, probe.unit);
+            return readingText(isShare, 0.0, probe.unit);
         digits = std::min(digits, 2 + int(std::floor(std::log10(std::abs(value))))
                                       - int(std::floor(std::log10(error))));
     }
-    return spokenText(value, probe.unit, digits);
+    return readingText(isShare, value, probe.unit, digits);
 }
 
 } // namespace
@@ -148,6 +148,11 @@ void CertifyDialog::start()
         return m_state->setText(translated((**made).stopped));
     m_certificate = std::make_shared<const Certificate>(std::move((**made).certificate));
     m_recording = (**made).flown;
+    m_shares.clear();
+    for (const Entry& entry : scene.items)
+        if (const auto* probe = std::get_if<Probe>(&entry.item);
+            probe && isSaidInPercent(probe->quantity))
+            m_shares.insert(probe->name);
     m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time. The "
                         "plots show it, too, when the design runs as it is now.")
                          .arg(spokenNumber(seconds)));
@@ -165,9 +170,10 @@ void CertifyDialog::fill()
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];
         const Convergence& result = probe.result;
+        const bool isShare = m_shares.contains(probe.name);
         const QStringList cells{QString::fromStdString(probe.name),
-                                valueText(probe),
-                                spokenText(result.error, probe.unit, 2),
+                                valueText(probe, isShare),
+                                readingText(isShare, result.error, probe.unit, 2),
                                 QLocale().toString(result.digits),
                                 result.converges() ? QLocale().toString(result.order, 'f', 1)
                                                    : QStringLiteral("–"),
@@ -190,7 +196,8 @@ void CertifyDialog::draw()
     if (!m_certificate || row < 0)
         return m_chart->clear();
     const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];
-    m_chart->show({QString::fromStdString(probe.name), QString::fromStdString(probe.unit)},
+    m_chart->show({QString::fromStdString(probe.name), QString::fromStdString(probe.unit),
+                   m_shares.contains(probe.name)},
                   m_certificate->time, probe.value, probe.error);
 }
 

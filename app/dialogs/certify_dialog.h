@@ -11,6 +11,8 @@
 #include <QDialog>
 
 #include <memory>
+#include <set>
+#include <string>
 
 class QLabel;
 class QPushButton;
@@ -52,6 +54,7 @@ private:
     BandChart* m_chart;
     std::shared_ptr<const Certificate> m_certificate; // or null
     std::shared_ptr<const Recording> m_recording;     // of the run as it is, with the certificate
+    std::set<std::string> m_shares;                   // probes that are said in percent
 };
 
 } // namespace ripstop

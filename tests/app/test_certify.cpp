@@ -21,6 +21,7 @@ private slots:
         Scene scene = Sheet().scene;
         const Id probe = takeId(scene);
         scene.items.push_back({probe, Probe{"corner", Quantity::PositionY, Sheet::at(8, 4)}});
+        scene.items.push_back({takeId(scene), Probe{"stretch", Quantity::MaxStrain}});
         Shop shop(scene);
         CertifyDialog dialog(shop.document, &shop.window);
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
@@ -28,9 +29,11 @@ private slots:
         auto* table = dialog.findChild<QTableWidget*>("probes");
         QCOMPARE(table->rowCount(), 0);
         QTest::mouseClick(dialog.findChild<QPushButton*>("start"), Qt::LeftButton);
-        QCOMPARE(table->rowCount(), 1); // the click returns when it is done
+        QCOMPARE(table->rowCount(), 2); // the click returns when it is done
         QCOMPARE(table->item(0, 0)->text(), QString("corner"));
         QVERIFY(table->item(0, 3)->text().toInt() >= 0);
+        QVERIFY(table->item(1, 1)->text().endsWith('%')); // a strain, as everywhere
+        QVERIFY(table->item(1, 2)->text().endsWith('%'));
         const QString said = dialog.findChild<QLabel*>("state")->text();
         QVERIFY2(said.startsWith("After 2 s"), qPrintable(said));
     }
