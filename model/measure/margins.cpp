@@ -86,17 +86,12 @@ Loaded loadedPanel(const System& system, const State& state, const Membrane& mem
             true};
 }
 
-// What neither the warp nor the weft of a panel is nearer to its strength than. Where the largest
-// principal strain is e, the strain e in all directions is the strain there and what wrinkles could
-// take up of it, so that the relaxed energy W (laws/cloth_law.h) is at most that of a taut cloth
-// strained so, e^2 (warp + 2 coupling + weft) / 2. A tension of the energy W has no component
-// beyond sqrt(2 W stiffness), and its threads no strain beyond sqrt(2 W compliance).
+// What neither the warp nor the weft of a panel is nearer to its strength than.
 double mostMargin(const System& system, const State& state, const Membrane& membrane,
                   const JudgedPlaces::OfPanel& judged)
 {
     const double e = largestStrain(strainAt(membrane, cornersOf(system, membrane, state.position)));
-    const double pull = e * judged.pullPerStrain * (1.0 + e * judged.stretchPerStrain);
-    return pull / weaker(judged.warp, judged.weft);
+    return judged.bound.pullAt(e) / weaker(judged.warp, judged.weft);
 }
 
 //   matters  whether a margin of at most so much is of interest
@@ -167,13 +162,9 @@ void judgePanels(const System& system, JudgedPlaces& judged)
             system.strength[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
         if (!law.isElastic() || !(weaker(strength.warp, strength.weft) > 0.0))
             continue;
-        const double stiffest = std::max(law.warp, law.weft);
-        const double softest = stiffest / (law.warp * law.weft - law.coupling * law.coupling);
-        const double all = law.warp + 2.0 * law.coupling + law.weft;
         const double factor = membrane.factors.strength;
         judged.panels.push_back({i, factor * strength.warp / system.safetyFactor,
-                                 factor * strength.weft / system.safetyFactor,
-                                 std::sqrt(stiffest * all), std::sqrt(softest * all)});
+                                 factor * strength.weft / system.safetyFactor, ClothBound(law)});
     }
 }
 

@@ -7,6 +7,7 @@
 // to both. What has torn bears nothing, and what pushes is not judged: buckling is no strength.
 #pragma once
 
+#include "laws/cloth_bound.h"
 #include "system/system.h"
 
 #include <span>
@@ -40,8 +41,7 @@ struct JudgedPlaces
         int membrane;
         double warp; // N/m, strength; 0 for none
         double weft;
-        double pullPerStrain; // N/m and 1, of the bound in margins.cpp
-        double stretchPerStrain;
+        ClothBound bound;
     };
     struct OfSpar
     {

@@ -1,5 +1,6 @@
 #include "tearing/panel_tearing.h"
 
+#include "laws/cloth_bound.h"
 #include "system/membrane.h"
 
 #include <algorithm>
@@ -23,6 +24,20 @@ const Membrane* membraneOf(const System& system, int panel)
 {
     const auto found = std::ranges::lower_bound(system.membranes, panel, {}, &Membrane::panel);
     return found != system.membranes.end() && found->panel == panel ? &*found : nullptr;
+}
+
+bool mayTear(const System& system, const State& state, const Membrane& membrane)
+{
+    const FabricTear tear = tearOf(system, membrane);
+    const ClothLaw law = lawOf(system, membrane);
+    if (tear.rule == TearRule::Never || !law.isElastic())
+        return false;
+    const ClothBound bound(law);
+    const double strain =
+        largestStrain(strainAt(membrane, cornersOf(system, membrane, state.position)));
+    const double most =
+        tear.rule == TearRule::Strain ? bound.stretchAt(strain) : bound.pullAt(strain);
+    return !(most <= std::min(tear.warp, tear.weft));
 }
 
 PanelVerdict judge(const System& system, const State& state, const Membrane& membrane)

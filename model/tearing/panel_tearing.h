@@ -18,6 +18,8 @@ struct PanelVerdict
     ThreadLoad worst;
     PanelPull pull; // of the panel; empty where it never tears
 };
+// Whether it may be above a limit; told by a bound, so that most panels cost little.
+bool mayTear(const System& system, const State& state, const Membrane& membrane);
 PanelVerdict judge(const System& system, const State& state, const Membrane& membrane);
 
 // Where those threads run now, of length 1.

@@ -151,8 +151,9 @@ void findPanelOverloads(const System& system, const State& state, const TearTips
     for (std::size_t i = 0; i < system.membranes.size(); ++i)
         if (const Membrane& membrane = system.membranes[i];
             !state.panelGone[std::size_t(membrane.panel)] && !tips.isNear(system, membrane.panel))
-            if (const double ratio = judge(system, state, membrane).worst.ratio; ratio > 1.0)
-                overloads.push_back({int(i), ratio, Overload::Of::Panel});
+            if (mayTear(system, state, membrane))
+                if (const double ratio = judge(system, state, membrane).worst.ratio; ratio > 1.0)
+                    overloads.push_back({int(i), ratio, Overload::Of::Panel});
 }
 
 void findSparOverloads(const System& system, const State& state, std::vector<Overload>& overloads)

@@ -1,9 +1,11 @@
 // The law of cloth in its plane (laws/cloth_law.h): moduli off the axes, the tension as the
 // derivative of the energy, and wrinkling as the least energy that it is.
+#include "laws/cloth_bound.h"
 #include "laws/cloth_law.h"
 #include "laws/cloth_pack.h"
 #include "model/systems.h"
 #include "registered_test.h"
+#include "system/membrane.h"
 
 #include <QtTest>
 
@@ -53,6 +55,26 @@ class TestClothLaw : public QObject
     Q_OBJECT
 
 private slots:
+    // Nothing that is passed over by its bound could have torn; and the bound is of use: of cloth
+    // pulled along its stiffer threads it is at most twice what these pull.
+    void noThreadIsBeyondItsBound()
+    {
+        for (const ClothLaw& law : someLaws()) {
+            const ClothBound bound(law);
+            for (const Vec3& strain : someStrains(2000)) {
+                const double e = largestStrain(strain);
+                const ClothTension now = tensionOf(law, strain);
+                const Vec3 threads = threadStrain(law, strain, now);
+                for (const int i : {0, 1}) {
+                    QVERIFY(threads[i] <= bound.stretchAt(e) + 1e-15);
+                    QVERIFY(std::sqrt(1.0 + 2.0 * threads[i]) * now.tension[i]
+                            <= bound.pullAt(e) * (1.0 + 1e-12));
+                }
+            }
+            QVERIFY(bound.pullAt(1e-3) < 2.0 * tensionOf(law, Vec3(1e-3, 0.0, 0.0)).tension[0]);
+        }
+    }
+
     // 1/E(th) = c^4/E1 + (1/G - 2 nu12/E1) s^2 c^2 + s^4/E2 (Jones 1975, 2.6), worked out for cloth
     // A.
     void modulusOffTheAxes_data()
