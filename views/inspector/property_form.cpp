@@ -80,6 +80,8 @@ QToolButton* rowButton(const QString& picture, const QString& tip, const QString
 // Who makes a kite comes for the air.
 bool isOfSolver(const Property& property) { return property.traits.contains(Trait::Solving); }
 
+bool isOffered(const Property& property) { return !property.traits.contains(Trait::Noted); }
+
 bool isTunable(const Property& property)
 {
     return canBeTuned(property) && (property.effect != Effect::DisplayOnly || weighs(property));
@@ -104,7 +106,7 @@ PropertyForm::PropertyForm(Subject& subject, UsageWatch& usage, SliderShelf& sli
     grid->setColumnMinimumWidth(0,
                                 fontMetrics().horizontalAdvance(QStringLiteral("Skin friction")));
     for (const Property& property : propertiesOf(kind))
-        if (!isOfSolver(property))
+        if (!isOfSolver(property) && isOffered(property))
             addRow(*grid, property);
     if (kind == Kind::Settings) {
         m_solver = foldButton("solverFields");

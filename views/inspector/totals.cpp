@@ -6,6 +6,7 @@
 // Many elements at once are added through Net, which finds corners together.
 #include "inspector/totals.h"
 
+#include "builders/builder.h"
 #include "document/spoken.h"
 #include "document/words.h"
 #include "select/net.h"
@@ -14,6 +15,8 @@
 #include <Eigen/Geometry>
 
 #include <QLocale>
+
+#include <algorithm>
 
 namespace ripstop {
 namespace {
@@ -132,17 +135,38 @@ void addAll(Sums& sums, const Scene& scene, const std::vector<Id>& ids)
         sums.add(scene, *findItem<Part>(scene, found.part), *std::get<const Panel*>(found.ref));
 }
 
+// "span 2.4 m", "cloth Icarex P31".
+QString chosenText(const Parameter& parameter, double value)
+{
+    const QString name = choiceLabel(parameter.key).toLower();
+    const auto place = std::size_t(std::max(value, 0.0));
+    const QString said = place < parameter.choices.size()
+                             ? choiceLabel(parameter.choices[place])
+                             : spokenText(value, parameter.unit == "1" ? "" : parameter.unit);
+    return name + QChar(' ') + said;
+}
+
+// Only what is otherwise than in a new design: the form of the builder has all of it.
 QString built(const Part& part)
 {
     if (part.builder.empty())
         return {};
-    QStringList parameters;
-    for (const auto& [name, value] : part.parameters)
-        parameters << QStringLiteral("%1 %2").arg(choiceLabel(name).toLower(),
-                                                  compactNumber(value));
     const QString by = words("Built by %1").arg(choiceLabel(part.builder).toLower());
-    return parameters.isEmpty() ? by
-                                : by + QStringLiteral(": ") + parameters.join(QStringLiteral(", "));
+    const Builder* builder = findBuilder(part.builder);
+    if (!builder)
+        return by;
+    Parameters values = part.parameters;
+    for (const Parameter& parameter : builder->parameters)
+        values.try_emplace(std::string(parameter.key), parameter.initial);
+    QStringList chosen;
+    for (const Parameter& parameter : builder->parameters) {
+        const double value = values.at(std::string(parameter.key));
+        if (value != parameter.atFirst() && counts(parameter, builder->parameters, values))
+            chosen << chosenText(parameter, value);
+    }
+    return (chosen.isEmpty() ? words("%1 as it comes").arg(by)
+                             : by + QStringLiteral(": ") + chosen.join(QStringLiteral(", ")))
+           + QStringLiteral(". ") + words("Change it with Insert > Change parameters.");
 }
 
 QString ofParts(const Scene& scene, const std::vector<Id>& ids)
