@@ -214,7 +214,8 @@ Result<Scene> buildPoleFlag(const Parameters& p)
     addProbe(scene, "upper tie", Quantity::Tension, tie);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
 
-    if (isOfSprings)
+    // A pole that bends has all springs solved together with it, however stiff they are.
+    if (isOfSprings && p.at("rigidity") == 0.0)
         takeShortSubsteps(scene);
     return scene;
 }

@@ -243,6 +243,43 @@ private:
         });
     }
 
+    // The panels of a part that they carry are looked at by elastic_check.h.
+    void checkMaterial(const Material& material, Id id)
+    {
+        constexpr double stiffest = 1e12; // N, N/m and N m^2; a bar of steel of 5 m^2
+        for (const Property* property :
+             {&propertyOf<&Material::stiffness>(), &propertyOf<&Material::axialStiffness>(),
+              &propertyOf<&Material::membraneStiffness>(),
+              &propertyOf<&Material::flexuralRigidity>()}) {
+            const Value value = property->get(&material);
+            const double* const number = std::get_if<double>(&value);
+            if (number && *number > stiffest)
+                add("stiff", Severity::Error,
+                    Message("%1 of material %2 is above %3 %4, which no step can solve and nothing "
+                            "is: check the unit.",
+                            Message::word(property->label), material.name,
+                            Message::number("%.0e", stiffest), property->unit),
+                    id);
+        }
+        if (auto warning = pictureWarning(m_scene, material))
+            add("picture", Severity::Warning, std::move(*warning), id);
+    }
+
+    void checkWind(const Wind& wind, Id id)
+    {
+        if (wind.kind == WindKind::LogLaw && !(wind.roughness < wind.referenceHeight))
+            add("roughness", Severity::Error,
+                Message("Wind %1 needs a roughness that is below its reference height.", wind.name),
+                id);
+        const double speed = wind.velocity.norm(), limit = m_scene.settings.speedLimit;
+        if (speed > limit)
+            add("storm", Severity::Warning,
+                Message("Wind %1 blows with %2 m/s, and a run stops where something goes faster "
+                        "than the speed limit of %3 m/s: check the unit.",
+                        wind.name, Message::number("%.4g", speed), Message::number("%.4g", limit)),
+                id);
+    }
+
     void shapes()
     {
         for (const Entry& entry : m_scene.items) {
@@ -253,14 +290,9 @@ private:
                 if (auto error = colliderError(m_scene, *collider))
                     add("collider", Severity::Error, std::move(*error), entry.id);
             if (const Material* material = std::get_if<Material>(&entry.item))
-                if (auto warning = pictureWarning(m_scene, *material))
-                    add("picture", Severity::Warning, std::move(*warning), entry.id);
+                checkMaterial(*material, entry.id);
             if (const Wind* wind = std::get_if<Wind>(&entry.item))
-                if (wind->kind == WindKind::LogLaw && !(wind->roughness < wind->referenceHeight))
-                    add("roughness", Severity::Error,
-                        Message("Wind %1 needs a roughness that is below its reference height.",
-                                wind->name),
-                        entry.id);
+                checkWind(*wind, entry.id);
             if (const Control* control = std::get_if<Control>(&entry.item)) {
                 if (!(control->axis.norm() > 0.0))
                     add("axis", Severity::Error,

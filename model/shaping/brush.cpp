@@ -5,6 +5,7 @@
 
 #include "derived/flat_panel.h"
 #include "select/elements.h"
+#include "shaping/fabric_places.h"
 #include "shaping/mirror_plane.h"
 
 #include <Eigen/Geometry>
@@ -54,9 +55,8 @@ double fittingRadius(const Scene& scene)
 {
     Eigen::AlignedBox3d box;
     forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& row : part.particles)
-            if (!row.position.hasNaN())
-                box.extend(row.position);
+        for (const Vec3& place : fabricPlacesOf(part))
+            box.extend(place);
     });
     const double share = box.isEmpty() ? 0.0 : 0.05 * box.diagonal().norm();
     if (!(share > 0.0))

@@ -43,7 +43,7 @@ struct Brush
     double weightAt(double distance) const;
 };
 
-// A radius for a scene of this size, m, in a round number.
+// A radius for fabric of this size, m, in a round number.
 double fittingRadius(const Scene& scene);
 
 // The property of links or of panels that is painted; null for the grain of links.

@@ -1,6 +1,8 @@
 // Places are taken from the middle of the box around them; sums then say how even they are.
 #include "shaping/mirror_plane.h"
 
+#include "shaping/fabric_places.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,20 +16,6 @@ namespace {
 constexpr double flat = 1e-3;  // of the longest side of the box
 constexpr double alike = 1e-6; // of unevenness
 constexpr std::array order{2, 0, 1};
-
-std::vector<Vec3> placesOf(const Part& part)
-{
-    std::vector<Id> joined;
-    for (const Panel& row : part.panels)
-        joined.insert(joined.end(), {row.a, row.b, row.c});
-    std::ranges::sort(joined);
-    std::vector<Vec3> places;
-    for (const Particle& row : part.particles)
-        if (!row.position.hasNaN()
-            && (joined.empty() || std::ranges::binary_search(joined, row.id)))
-            places.push_back(row.position);
-    return places;
-}
 
 // 0 for what is the same to both sides, 1 for what lies on one.
 double unevenness(const std::vector<Vec3>& places, const Vec3& middle, int axis)
@@ -47,7 +35,7 @@ double unevenness(const std::vector<Vec3>& places, const Vec3& middle, int axis)
 
 MirrorPlane mirrorPlaneOf(const Part& part)
 {
-    const std::vector<Vec3> places = placesOf(part);
+    const std::vector<Vec3> places = fabricPlacesOf(part);
     Eigen::AlignedBox3d box;
     for (const Vec3& place : places)
         box.extend(place);

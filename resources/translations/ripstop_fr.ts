@@ -515,6 +515,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>%1 of material %2 is above %3 %4, which no step can solve and nothing is: check the unit.</source>
+        <translation>%1 du matériau %2 dépasse %3 %4, ce qu’aucun pas ne peut résoudre et que rien n’atteint : vérifiez l’unité.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>%1: %2 points at %3 of the type %4, which this version does not know; choose another or remove it.</source>
         <translation>%1 : %2 désigne %3, de la sorte %4, que cette version ne connaît pas ; en choisir un autre ou le retirer.</translation>
     </message>
@@ -587,6 +592,11 @@
         <location filename="check.cpp"/>
         <source>The substep of %1 s is above the %2 s that springs and bending at particle %3 may need: shorten the time step, add substeps, or lower stiffness and damping.</source>
         <translation>Le sous-pas de %1 s dépasse les %2 s que peuvent demander ressorts et flexion à la particule %3 : raccourcir le pas de temps, ajouter des sous-pas, ou baisser raideur et amortissement.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Wind %1 blows with %2 m/s, and a run stops where something goes faster than the speed limit of %3 m/s: check the unit.</source>
+        <translation>Le vent %1 souffle à %2 m/s, et un calcul s’arrête dès que quelque chose dépasse la vitesse limite de %3 m/s : vérifiez l’unité.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -12211,8 +12221,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>How many times as long as wide the cells of the fabric beside a thread are. Their diagonals resist stretching along it by the square of that, which the thread takes off its own stiffness.</source>
-        <translation>Combien de fois plus longues que larges sont les mailles du tissu au bord d’un fil. Leurs diagonales résistent à l’étirement le long du fil par le carré de ce rapport, que le fil retranche de sa propre raideur.</translation>
+        <source>How many times as long as wide the cells of the fabric beside a thread are, whose diagonals resist stretching along it by the square of that: the thread takes so much off its own stiffness.</source>
+        <translation>Combien de fois plus longues que larges sont les mailles du tissu au bord d’un fil, dont les diagonales résistent à l’étirement par le carré de ce rapport : le fil le retranche de sa propre raideur.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -235,6 +235,9 @@ private slots:
     {
         QVERIFY2(isNear(fittingRadius(sheet()), 0.02, 1e-12), told(fittingRadius(sheet()), 0.02));
         QCOMPARE(fittingRadius(Scene()), Brush().radius);
+        // the sail of a kite is 2.8 m from corner to corner, and its line 25 m long
+        const double ofKite = fittingRadius(*build(*findBuilder("delta_kite"), {}));
+        QVERIFY2(isNear(ofKite, 0.1, 1e-12), told(ofKite, 0.1));
     }
 };
 

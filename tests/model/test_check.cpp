@@ -40,6 +40,8 @@ Scene sound()
     return scene;
 }
 
+Material& materialIn(Scene& scene) { return std::get<Material>(*findItem(scene, materialId)); }
+
 Part& part(Scene& scene) { return std::get<Part>(*findItem(scene, partId)); }
 
 template <typename T>
@@ -89,6 +91,13 @@ private slots:
         row("bdf2 on single sweeps", warning, 0, "choose the automatic solver", [](Scene& s) {
             s.settings.integrator = Integrator::Bdf2;
             s.settings.solver = Solver::SmallSteps;
+        });
+        row("line of no stiffness that there is", error, 2, "Axial stiffness of material fabric",
+            [](Scene& s) { materialIn(s).axialStiffness = 1e30; });
+        row("spar of no stiffness that there is", error, 2, "above 1e+12 N m",
+            [](Scene& s) { materialIn(s).flexuralRigidity = 2e12; });
+        row("storm", warning, 40, "speed limit of 1000 m/s", [](Scene& s) {
+            addItem(s, Wind{"gale", Vec3(1e30, 0.0, 0.0)});
         });
         row("link to nothing", error, 21, "from points at 99, which does not exist",
             [](Scene& s) { part(s).links[0].from = Id{99}; });

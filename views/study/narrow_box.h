@@ -1,4 +1,5 @@
-// A choice that takes little room, as the panel stands in a dock.
+// A choice that takes little room, as the panel stands in a dock: what does not fit ends in an
+// ellipsis, and stands whole in the list and in the tool tip.
 #pragma once
 
 #include <QComboBox>
@@ -6,15 +7,26 @@
 
 namespace ripstop {
 
-inline QComboBox* narrowBox(const QString& name, const QStringList& texts = {}, int letters = 4)
+class NarrowBox final : public QComboBox
 {
-    auto* box = new QComboBox;
-    box->setAccessibleName(name);
-    box->setToolTip(name);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(letters);
-    box->addItems(texts);
-    return box;
+    Q_OBJECT
+
+public:
+    //   letters  that there is room for at least
+    explicit NarrowBox(const QString& name, const QStringList& texts = {}, int letters = 4);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void tellWhole();
+
+    QString m_name;
+};
+
+inline NarrowBox* narrowBox(const QString& name, const QStringList& texts = {}, int letters = 4)
+{
+    return new NarrowBox(name, texts, letters);
 }
 
 } // namespace ripstop

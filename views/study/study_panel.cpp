@@ -431,7 +431,9 @@ void StudyPanel::showState()
         return m_state->setText(tr("Flying it again…"));
     if (!isKnown)
         return m_state->clear();
-    QString words = tr("Something tore in %1, %2 ended early.").arg(tally.torn).arg(tally.stopped);
+    QString words;
+    if (tally.flown > 0)
+        words = tr("Something tore in %1, %2 ended early.").arg(tally.torn).arg(tally.stopped);
     if (tally.inaccurate > 0)
         words += ' ' + tr("%1 missed the wanted accuracy.").arg(tally.inaccurate);
     if (const double left = m_runner->secondsLeft(); std::isfinite(left))
@@ -447,7 +449,7 @@ void StudyPanel::showState()
                        .arg(QString::fromStdString(m_runner->study()->study.scene));
     if (m_isEdited)
         words += ' ' + tr("The map is that of the study before you changed it; Fly adds the rest.");
-    m_state->setText(words);
+    m_state->setText(words.trimmed());
 }
 
 void StudyPanel::showFailure(const Message& why)

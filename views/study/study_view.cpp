@@ -24,6 +24,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
@@ -278,11 +279,16 @@ StudyView::Page StudyView::page() const
     return Page(std::max(0, m_picture->currentData().toInt()));
 }
 
+bool StudyView::isEmpty() const
+{
+    return !m_study || std::ranges::all_of(*m_flights, [](const auto* flight) { return !flight; });
+}
+
 // Only the choices that the picture asks for.
 void StudyView::showBoxes()
 {
-    m_axes->setVisible(m_study != nullptr);
-    if (!m_study)
+    m_axes->setVisible(!isEmpty());
+    if (isEmpty())
         return m_charts->setCurrentIndex(m_charts->count() - 1);
     const Page shown = page();
     const bool hasReading = shown == Page::Map || shown == Page::Percentiles
@@ -335,6 +341,8 @@ void StudyView::refresh()
         m_chart->show({}, {});
         return;
     }
+    if (isEmpty() == m_axes->isVisibleTo(this)) // the first flight has come
+        showBoxes();
     const auto reading = std::size_t(std::max(0, m_reading->currentIndex()));
     const auto x = std::size_t(std::max(0, m_x->currentIndex()));
     const int which = m_picture->currentData(whichRole).toInt();

@@ -82,6 +82,7 @@ private:
     QCustomPlot* shownPlot(); // null: a table or designs are shown
     void pick(const std::vector<std::size_t>& points, Picking how);
     void refreshMap(std::size_t reading);
+    bool isEmpty() const; // nothing is flown
     void showBoxes();
     void fillSlices();
     void describe(qlonglong point);
