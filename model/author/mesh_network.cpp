@@ -50,7 +50,7 @@ public:
     {
         addParticles();
         const bool isDone =
-            (styles.structural == LinkStyle::None || addThreads(styles.structural, materials))
+            (styles.structural == LinkStyle::None || addThreads(styles, materials))
             && (styles.shear == LinkStyle::None
                 || (addDiagonals(styles.shear, materials) && addAcross(styles.shear, materials)))
             && (styles.bend == LinkStyle::None || addBends(styles.bend, materials.bend));
@@ -151,17 +151,20 @@ private:
         return true;
     }
 
-    bool addThreads(LinkStyle style, const WeaveMaterials& materials)
+    bool addThreads(const Weave& styles, const WeaveMaterials& materials)
     {
+        const bool hasDiagonals = styles.shear != LinkStyle::None; // which resist along threads
         for (std::size_t i = 0; i < m_threads.size(); ++i) {
             if (i % betweenReports == 0
                 && !goesOn(m_progress, 0.3 * double(i) / double(m_threads.size())))
                 return false;
             const Thread& thread = m_threads[i];
-            if (tie(thread.a, thread.b, style, materials.of(thread.material)))
+            if (tie(thread.a, thread.b, styles.structural, materials.of(thread.material)))
                 m_network.asFabric(
                     {LinkRole::Thread, thread.area / (at(thread.b) - at(thread.a)).norm(),
-                     aspectOfCells(std::sqrt(thread.squaredAspects), std::sqrt(thread.area))});
+                     hasDiagonals
+                         ? aspectOfCells(std::sqrt(thread.squaredAspects), std::sqrt(thread.area))
+                         : 1.0});
         }
         return true;
     }

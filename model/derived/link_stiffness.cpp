@@ -66,7 +66,8 @@ double aspectOfCells(double along, double across)
 {
     constexpr double rounding = 1e-9;
     const double aspect = along / across;
-    return std::abs(aspect - 1.0) < rounding ? 1.0 : aspect;
+    const bool isThere = aspect > 0.0 && std::isfinite(aspect);
+    return isThere && std::abs(aspect - 1.0) >= rounding ? aspect : 1.0;
 }
 
 std::optional<double> fabricModulus(const Material& material, double cellAspect)

@@ -67,6 +67,10 @@ private slots:
             QVERIFY(std::abs(along[i] - lengths[i]) < 1e-12);
         for (std::size_t i = 0; i < across.size(); ++i)
             QVERIFY(std::abs(across[i] - heights[i]) < 1e-12);
+        MeshFabric bare = plainFabric(); // nothing but threads, which no diagonal helps
+        bare.shear = LinkStyle::None;
+        for (const Scene alone = sceneOf(mesh, bare); const Link& link : firstPart(alone).links)
+            QCOMPARE(link.cellAspect, 1.0);
     }
 
     void looseTrianglesOfAnStlAreJoined()
