@@ -208,7 +208,7 @@ private:
         if (!s.linkStuff.empty())
             s.linkStuff.push_back({}); // of no material, which has no line drag
         if (!s.linkFactors.empty())
-            s.linkFactors.push_back(ElementFactors(s.linkFactors[link]));
+            s.linkFactors.push_back(LinkFactors(s.linkFactors[link]));
         move(s.links.back(), from, twin);
     }
 

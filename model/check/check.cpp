@@ -94,6 +94,7 @@ public:
     {
         errors();
         checkNetwork(m_scene, m_index, adding());
+        names();
         stability();
         gaps();
         checkTearing(m_scene, adding());
@@ -243,7 +244,7 @@ private:
         });
     }
 
-    // The panels of a part that they carry are looked at by elastic_check.h.
+    // Of elastic panels, elastic_check.h looks at more.
     void checkMaterial(const Material& material, Id id)
     {
         constexpr double stiffest = 1e12; // N, N/m and N m^2; a bar of steel of 5 m^2
@@ -358,6 +359,24 @@ private:
                 edge = meanPanelEdge(m_scene);
             if (auto warning = colliderWarning(*collider, *edge))
                 add("gap", Severity::Warning, std::move(*warning), entry.id);
+        }
+    }
+
+    // Materials are told apart by their names, in lists as in paths.
+    void names()
+    {
+        std::map<std::string_view, Id> first;
+        for (const Entry& entry : m_scene.items) {
+            const Material* const material = std::get_if<Material>(&entry.item);
+            if (!material)
+                continue;
+            const auto [known, isNew] = first.try_emplace(material->name, entry.id);
+            if (!isNew)
+                add("name", Severity::Warning,
+                    Message("Materials #%1 and #%2 are both called %3, and a path of that name "
+                            "means the first: rename one.",
+                            std::uint32_t(known->second), std::uint32_t(entry.id), material->name),
+                    entry.id);
         }
     }
 

@@ -2,6 +2,7 @@
 #include "check/thread_check.h"
 
 #include "derived/link_stiffness.h"
+#include "derived/panel_fabric.h"
 
 #include <map>
 
@@ -12,7 +13,7 @@ constexpr double noticed = 1.05; // of the membrane stiffness
 
 bool followsMaterial(const Link& link)
 {
-    return link.role == LinkRole::Thread && link.width > 0.0
+    return link.role == LinkRole::Thread && isOfFabric(link)
            && !(link.kind == LinkKind::Rod ? link.compliance : link.stiffness);
 }
 

@@ -50,7 +50,7 @@ void addParticles(const Part& part, System& system)
 
 void addLinkFactors(const Scene& scene, System& system)
 {
-    const auto isOther = [](const Link& row) { return factorsOf(row) != ElementFactors(); };
+    const auto isOther = [](const Link& row) { return factorsOf(row) != LinkFactors(); };
     bool any = false;
     forEachPart(scene,
                 [&](Id, const Part& part) { any |= std::ranges::any_of(part.links, isOther); });

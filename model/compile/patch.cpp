@@ -94,7 +94,7 @@ private:
             if (stuff.material != key)
                 continue;
             const LinkPlace& link = m_system.links[i];
-            const ElementFactors factors = m_system.factorsOf(i);
+            const LinkFactors factors = m_system.factorsOf(i);
             if (link.kind == LinkKind::Spring) {
                 Spring& spring = m_system.springs[std::size_t(link.index)];
                 const TearRule before = spring.tear.rule;

@@ -30,8 +30,6 @@ void takeTear(const Material& material, const LinkStuff& stuff, const ElementFac
                       factors.strength);
 }
 
-FabricStrip stripOf(const LinkStuff& stuff) { return {stuff.role, stuff.width, stuff.cellAspect}; }
-
 template <typename T, typename Visit>
 void forEachItem(const Scene& scene, Visit visit)
 {
@@ -187,7 +185,7 @@ LinkStuff stuffOf(const Link& row)
 {
     const int own = (row.stiffness ? OwnStiffness : 0) | (row.damping ? OwnDamping : 0)
                     | (row.compliance ? OwnCompliance : 0) | (row.tearLimit ? OwnTearLimit : 0);
-    return {Key(row.material), std::uint8_t(own), row.role, row.width, row.cellAspect};
+    return {Key(row.material), std::uint8_t(own), row.role, row.width};
 }
 
 Spring springOf(const Link& row, const Material& material, int a, int b)
@@ -320,23 +318,26 @@ std::vector<FabricTear> fabricTearsOf(const Scene& scene)
     return tears;
 }
 
-void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFactors& factors,
                   Spring& spring)
 {
     if (!(stuff.own & OwnStiffness))
         spring.stiffness =
-            factors.stiffness * springStiffness(material, stripOf(stuff), spring.restLength);
+            factors.stiffness
+            * springStiffness(material, {stuff.role, stuff.width, factors.cellAspect},
+                              spring.restLength);
     if (!(stuff.own & OwnDamping))
         spring.damping = material.damping;
     takeTear(material, stuff, factors, spring.tear);
 }
 
-void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFactors& factors,
                   Rod& rod)
 {
     if (!(stuff.own & OwnCompliance))
         rod.compliance =
-            rodCompliance(material, stripOf(stuff), rod.restLength) / factors.stiffness;
+            rodCompliance(material, {stuff.role, stuff.width, factors.cellAspect}, rod.restLength)
+            / factors.stiffness;
     rod.dampingTime = material.dampingTime;
     takeTear(material, stuff, factors, rod.tear);
 }

@@ -17,8 +17,11 @@ void takeParticle(const Particle& row, int place, System& system);
 GuidedParticle guidedOf(const Particle& row, int place);
 
 LinkStuff stuffOf(const Link& row);
-template <typename Row> // of links or panels
-ElementFactors factorsOf(const Row& row)
+inline LinkFactors factorsOf(const Link& row)
+{
+    return {{row.stiffnessFactor, row.strengthFactor}, row.cellAspect};
+}
+inline ElementFactors factorsOf(const Panel& row)
 {
     return {row.stiffnessFactor, row.strengthFactor};
 }
@@ -37,9 +40,9 @@ std::vector<ClothLaw> clothsOf(const Scene& scene); // [materialAir], empty when
 std::vector<FabricTear> fabricTearsOf(const Scene& scene); // [materialAir]
 
 // The numbers that come from the material, but for those that the link has itself.
-void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFactors& factors,
                   Spring& spring);
-void takeMaterial(const Material& material, const LinkStuff& stuff, const ElementFactors& factors,
+void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFactors& factors,
                   Rod& rod);
 
 // The material, or default numbers when there is none.

@@ -15,9 +15,9 @@ double alongOrAcross(double whole, double shear)
 // N/m, Y of the header; what is left where the diagonals alone are too stiff keeps a link a link.
 double threadStiffness(double whole, double shear, double aspect)
 {
-    constexpr double least = 1e-3; // of c
+    constexpr double least = 1e-3; // of what it is along square cells
     const double c = alongOrAcross(whole, shear);
-    return std::max(c - shear * aspect * aspect, least * c);
+    return std::max(c - shear * aspect * aspect, least * (c - shear));
 }
 
 // N: tension per strain of the link; nothing when the material does not say.

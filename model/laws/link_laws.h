@@ -8,7 +8,7 @@
 
 namespace ripstop {
 
-enum class LinkKind { Spring, Rod }; // a spring is a force, a rod a constraint
+enum class LinkKind : std::uint8_t { Spring, Rod }; // a force, a constraint
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
 
@@ -20,7 +20,7 @@ enum class LinkRole : std::uint8_t {
 template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<LinkRole>{"line", "thread", "bias"};
 
-enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
+enum class Resists : std::uint8_t { Both, Tension, Compression }; // a batten, a line, a strut
 template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<Resists>{"both", "tension",
                                                                       "compression"};

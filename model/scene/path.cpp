@@ -56,30 +56,8 @@ Result<Target> findNumbered(const Scene& scene, std::string_view name)
     return Failure("nothing in the scene has the id \"%1\"", name);
 }
 
-// Of items of one name, that which has the property; which of several is not guessed.
-std::optional<Result<Target>> findCalled(const Scene& scene, std::string_view name,
-                                         std::string_view key)
-{
-    std::optional<Target> any, found;
-    for (const Entry& entry : scene.items) {
-        if (nameOf(entry.item) != name)
-            continue;
-        const Target target{kindOf(entry.item), {entry.id}};
-        if (!any)
-            any = target;
-        if (!findProperty(target.kind, key))
-            continue;
-        if (found)
-            return Failure("two items are called \"%1\"; rename one, or say #%2 or #%3", name,
-                           std::uint32_t(found->ids[0]), std::uint32_t(entry.id));
-        found = target;
-    }
-    if (found)
-        return *std::move(found);
-    return any ? std::optional<Result<Target>>(*std::move(any)) : std::nullopt;
-}
-
-// `name` is all of the path before the property's key.
+// `name` is all of the path before the property's key. Of items of one name it is the first that
+// has the property.
 Result<Target> findTarget(const Scene& scene, std::string_view name, std::string_view key)
 {
     if (name == "settings")
@@ -87,11 +65,20 @@ Result<Target> findTarget(const Scene& scene, std::string_view name, std::string
     if (name.starts_with('#'))
         return findNumbered(scene, name);
 
-    if (auto called = findCalled(scene, name, key))
-        return *std::move(called);
     std::vector<std::string_view> names{"settings"};
-    for (const Entry& entry : scene.items)
+    std::optional<Target> called;
+    for (const Entry& entry : scene.items) {
         names.push_back(nameOf(entry.item));
+        if (names.back() != name)
+            continue;
+        const Target target{kindOf(entry.item), {entry.id}};
+        if (findProperty(target.kind, key))
+            return target;
+        if (!called)
+            called = target;
+    }
+    if (called)
+        return *std::move(called);
 
     if (const auto dot = name.rfind('.'); dot != std::string_view::npos) {
         const std::string_view table = name.substr(dot + 1);

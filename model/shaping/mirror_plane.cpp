@@ -56,18 +56,18 @@ MirrorPlane mirrorPlaneOf(const Part& part)
     return best;
 }
 
-std::optional<MirrorPlane> mirrorPlaneAt(const Scene& scene, const Vec3& place)
+Id partNearest(const Scene& scene, const Vec3& place)
 {
-    const Part* nearest = nullptr;
+    Id nearest = noId;
     double least = std::numeric_limits<double>::infinity();
-    forEachPart(scene, [&](Id, const Part& part) {
+    forEachPart(scene, [&](Id id, const Part& part) {
         for (const Particle& row : part.particles)
             if (const double way = (row.position - place).squaredNorm(); way < least) {
                 least = way;
-                nearest = &part;
+                nearest = id;
             }
     });
-    return nearest ? std::optional(mirrorPlaneOf(*nearest)) : std::nullopt;
+    return nearest;
 }
 
 } // namespace ripstop

@@ -9,8 +9,6 @@
 
 #include "scene/scene.h"
 
-#include <optional>
-
 namespace ripstop {
 
 struct MirrorPlane
@@ -28,7 +26,7 @@ struct MirrorPlane
 // Of what panels join, or of all particles where there are no panels.
 MirrorPlane mirrorPlaneOf(const Part& part);
 
-// Of the part that has a particle nearest to this place, m; nothing where there are none.
-std::optional<MirrorPlane> mirrorPlaneAt(const Scene& scene, const Vec3& place);
+// The part that has a particle nearest to this place, m; noId where there are none.
+Id partNearest(const Scene& scene, const Vec3& place);
 
 } // namespace ripstop

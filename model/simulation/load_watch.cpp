@@ -13,7 +13,7 @@ namespace {
 // Of links where some are not 1, and of elastic panels.
 std::vector<ElementFactors> factorsOf(const System& system)
 {
-    std::vector<ElementFactors> factors = system.linkFactors;
+    std::vector<ElementFactors> factors(system.linkFactors.begin(), system.linkFactors.end());
     for (const Membrane& membrane : system.membranes)
         factors.push_back(membrane.factors);
     return factors;

@@ -86,8 +86,7 @@ struct LinkStuff
     Key material = 0;
     std::uint8_t own = 0; // bits, one for each number that is the link's own
     LinkRole role = LinkRole::Line;
-    double width = 0.0;      // m, of the strip of fabric
-    double cellAspect = 1.0; // 1, of the cells beside a thread
+    double width = 0.0; // m, of the strip of fabric
 
     friend bool operator==(const LinkStuff&, const LinkStuff&) = default;
 };
@@ -100,6 +99,13 @@ struct ElementFactors
     double strength = 1.0;  // 1
 
     friend bool operator==(const ElementFactors&, const ElementFactors&) = default;
+};
+
+struct LinkFactors : ElementFactors
+{
+    double cellAspect = 1.0; // 1, of the cells beside a thread (derived/link_stiffness.h)
+
+    friend bool operator==(const LinkFactors&, const LinkFactors&) = default;
 };
 
 struct DragLine // a link that the wind drags

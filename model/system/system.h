@@ -117,17 +117,17 @@ struct System
     std::vector<Strength> strength;       // [materialAir], or empty when nothing has one
     ForceLists forces;                    // what each force derives from all else
     std::vector<FabricPanel> panels;
-    std::vector<Key> panelKey;               // [panels]
-    std::vector<ClothLaw> cloth;             // [materialAir], or empty when no panel carries a pull
-    std::vector<FabricTear> clothTear;       // [cloth] at what those panels tear
-    std::vector<Membrane> membranes;         // panels that do, in ascending order
-    std::vector<LinkPlace> links;            // in the author's order
-    std::vector<LinkStuff> linkStuff;        // [links], or empty when made by hand
-    std::vector<ElementFactors> linkFactors; // [links], or empty when all are 1
-    std::vector<int> springLink;             // [springs] index into links
-    std::vector<int> rodLink;                // [rods] index into links
-    std::vector<int> tearableSprings;        // indices into springs, ascending
-    std::vector<int> tearableRods;           // indices into rods, ascending
+    std::vector<Key> panelKey;            // [panels]
+    std::vector<ClothLaw> cloth;          // [materialAir], or empty when no panel carries a pull
+    std::vector<FabricTear> clothTear;    // [cloth] at what those panels tear
+    std::vector<Membrane> membranes;      // panels that do, in ascending order
+    std::vector<LinkPlace> links;         // in the author's order
+    std::vector<LinkStuff> linkStuff;     // [links], or empty when made by hand
+    std::vector<LinkFactors> linkFactors; // [links], or empty when all are 1
+    std::vector<int> springLink;          // [springs] index into links
+    std::vector<int> rodLink;             // [rods] index into links
+    std::vector<int> tearableSprings;     // indices into springs, ascending
+    std::vector<int> tearableRods;        // indices into rods, ascending
 
     Rows springsAt;    // [particles] springs that end there
     Rows rodsAt;       // [particles] rods that end there
@@ -155,9 +155,9 @@ struct System
         return std::get<Lists>(forces);
     }
 
-    ElementFactors factorsOf(std::size_t link) const
+    LinkFactors factorsOf(std::size_t link) const
     {
-        return linkFactors.empty() ? ElementFactors() : linkFactors[link];
+        return linkFactors.empty() ? LinkFactors() : linkFactors[link];
     }
 };
 

@@ -515,6 +515,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>Materials #%1 and #%2 are both called %3, and a path of that name means the first: rename one.</source>
+        <translation>Les matériaux #%1 et #%2 s’appellent tous deux %3, et un chemin de ce nom désigne le premier : renommez-en un.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>%1 of material %2 is above %3 %4, which no step can solve and nothing is: check the unit.</source>
         <translation>%1 du matériau %2 dépasse %3 %4, ce qu’aucun pas ne peut résoudre et que rien n’atteint : vérifiez l’unité.</translation>
     </message>
@@ -6192,11 +6197,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="path.cpp"/>
         <source>the scene has no %1</source>
         <translation>la scène n’a rien de la sorte %1</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>two items are called "%1"; rename one, or say #%2 or #%3</source>
-        <translation>deux éléments s’appellent « %1 » ; renommez-en un, ou écrivez #%2 ou #%3</translation>
     </message>
     <message>
         <location filename="percentile_chart.cpp"/>

@@ -142,10 +142,10 @@ private slots:
             const MirrorPlane plane = mirrorPlaneOf(partOf(scene));
             QCOMPARE(plane.axis, 2);
             QVERIFY2(isNear(plane.at, 2.0, 1e-9), told(plane.at, 2.0));
-            const auto same = mirrorPlaneAt(scene, partOf(scene).particles.front().position);
-            QVERIFY(same && same->axis == plane.axis && same->at == plane.at);
+            const Id part = partNearest(scene, partOf(scene).particles.front().position);
+            QVERIFY(findItem<Part>(scene, part) == &partOf(scene));
         }
-        QVERIFY(!mirrorPlaneAt(Scene(), Vec3::Zero()));
+        QCOMPARE(partNearest(Scene(), Vec3::Zero()), noId);
     }
 
     // The warp of all panels lies 30 degrees from upright, whichever way their corners go round,

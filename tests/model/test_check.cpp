@@ -96,6 +96,8 @@ private slots:
             [](Scene& s) { materialIn(s).axialStiffness = 1e30; });
         row("spar of no stiffness that there is", error, 2, "above 1e+12 N m",
             [](Scene& s) { materialIn(s).flexuralRigidity = 2e12; });
+        row("two of a name", warning, 40, "#2 and #40 are both called fabric",
+            [](Scene& s) { addItem(s, Material{"fabric"}); });
         row("storm", warning, 40, "speed limit of 1000 m/s", [](Scene& s) {
             addItem(s, Wind{"gale", Vec3(1e30, 0.0, 0.0)});
         });

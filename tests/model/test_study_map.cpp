@@ -206,8 +206,8 @@ private slots:
         QCOMPARE(unitOf(scene, "none.mass"), std::string());
     }
 
-    // By name where that finds it again, by id where another item of its kind has the name, or it
-    // is an element.
+    // By name where that finds it again, by id where another item has the name, or it is an
+    // element.
     void pathsFindTheirThing()
     {
         Scene scene;
@@ -219,7 +219,7 @@ private slots:
         wind.name = "wind";
         scene.items.push_back({takeId(scene), wind});
         const Property& compliance = propertyOf<&Material::compliance>();
-        QCOMPARE(pathOf(scene, scene.items[0].id, compliance), std::string("#1.compliance"));
+        QCOMPARE(pathOf(scene, scene.items[0].id, compliance), std::string("cord.compliance"));
         QCOMPARE(pathOf(scene, scene.items[1].id, compliance), std::string("#2.compliance"));
         QCOMPARE(pathOf(scene, settingsId, propertyOf<&Settings::gravity>()),
                  std::string("settings.gravity"));

@@ -140,9 +140,8 @@ QString chosenText(const Parameter& parameter, double value)
 {
     const QString name = choiceLabel(parameter.key).toLower();
     const auto place = std::size_t(std::max(value, 0.0));
-    const QString said = place < parameter.choices.size()
-                             ? choiceLabel(parameter.choices[place])
-                             : spokenText(value, parameter.unit == "1" ? "" : parameter.unit);
+    const QString said = place < parameter.choices.size() ? choiceLabel(parameter.choices[place])
+                                                          : spokenText(value, parameter.unit);
     return name + QChar(' ') + said;
 }
 

@@ -24,8 +24,8 @@ namespace ripstop {
 
 FlightCurves::FlightCurves(QWidget* parent)
     : QWidget(parent)
-    , m_probe(narrowBox(tr("Probe of the curves"), {}, 2))
-    , m_ghosts(narrowBox(tr("How the flights are shown in the view"), {}, 2))
+    , m_probe(new NarrowBox(tr("Probe of the curves"), {}, 2))
+    , m_ghosts(new NarrowBox(tr("How the flights are shown in the view"), {}, 2))
     , m_chart(new XyChart)
 {
     m_ghosts->addItems({tr("ghosts over each other"), tr("ghosts side by side"), tr("no ghosts")});

@@ -163,9 +163,9 @@ GoalForm::Row GoalForm::makeRow(QComboBox* kind, const QString& numberName, doub
     const QString own = QString::fromStdString(measure.probe);
     if (!probes.contains(own))
         probes.prepend(own);
-    auto* probe = narrowBox(tr("Probe"), probes, letters);
+    auto* probe = new NarrowBox(tr("Probe"), probes, letters);
     probe->setCurrentIndex(int(probes.indexOf(own)));
-    auto* reduction = narrowBox(tr("What of its values"), reductionTexts(), letters);
+    auto* reduction = new NarrowBox(tr("What of its values"), reductionTexts(), letters);
     reduction->setCurrentIndex(int(measure.reduction));
     auto* remove = new QToolButton;
     remove->setIcon(icon(QStringLiteral("close")));
@@ -208,7 +208,7 @@ void GoalForm::connectRow(const Row& row, const std::function<void()>& take,
 void GoalForm::addObjective(std::size_t place)
 {
     const Objective& shown = m_objectives[place];
-    auto* goal = narrowBox(tr("What is wanted"), goalTexts(), letters);
+    auto* goal = new NarrowBox(tr("What is wanted"), goalTexts(), letters);
     goal->setCurrentIndex(int(shown.goal));
     const Row row = makeRow(goal, tr("The value that is wanted"), shown.target, shown.measure,
                             tr("Want this no more"));
@@ -229,7 +229,7 @@ void GoalForm::addObjective(std::size_t place)
 void GoalForm::addLimit(std::size_t place)
 {
     const Constraint& shown = m_limits[place];
-    auto* kind = narrowBox(tr("Which side is limited"), limitTexts(), letters);
+    auto* kind = new NarrowBox(tr("Which side is limited"), limitTexts(), letters);
     kind->setCurrentIndex(shown.kind == Constraint::Kind::AtMost ? 0 : 1);
     const Row row =
         makeRow(kind, tr("The limit"), shown.limit, shown.measure, tr("Limit this no more"));

@@ -24,9 +24,4 @@ private:
     QString m_name;
 };
 
-inline NarrowBox* narrowBox(const QString& name, const QStringList& texts = {}, int letters = 4)
-{
-    return new NarrowBox(name, texts, letters);
-}
-
 } // namespace ripstop

@@ -55,10 +55,10 @@ StudyForm::StudyForm(QWidget* parent)
     , m_goals(new GoalForm)
     , m_seconds(new ValueEdit(judgeSeconds))
     , m_untilTear(new QCheckBox(tr("or until something tears")))
-    , m_keep(narrowBox(tr("Which flights are kept with all of their frames"),
-                       {tr("None is kept"), tr("Of those that tore or ended early"),
-                        tr("Of the best"), tr("All are kept")},
-                       12))
+    , m_keep(new NarrowBox(tr("Which flights are kept with all of their frames"),
+                           {tr("None is kept"), tr("Of those that tore or ended early"),
+                            tr("Of the best"), tr("All are kept")},
+                           12))
     , m_keepCount(new QSpinBox)
 {
     m_hint->setWordWrap(true);

@@ -48,11 +48,11 @@ QString outcomeText(const FlightResult& flight)
 
 StudyView::StudyView(QWidget* parent)
     : QWidget(parent)
-    , m_picture(narrowBox(tr("Picture"), {}, 3))
-    , m_reading(narrowBox(tr("What is shown")))
-    , m_x(narrowBox(tr("Variable to the right"), {}, 2))
+    , m_picture(new NarrowBox(tr("Picture"), {}, 3))
+    , m_reading(new NarrowBox(tr("What is shown")))
+    , m_x(new NarrowBox(tr("Variable to the right"), {}, 2))
     , m_over(new QLabel(tr("over")))
-    , m_y(narrowBox(tr("Variable upwards"), {}, 2))
+    , m_y(new NarrowBox(tr("Variable upwards"), {}, 2))
     , m_slices(new QHBoxLayout)
     , m_charts(new QStackedWidget)
     , m_chart(new StudyChart)
@@ -320,7 +320,7 @@ void StudyView::fillSlices()
         if (int(v) == m_x->currentIndex() || int(v) == m_y->currentIndex())
             continue;
         const StudyVariable& variable = m_study->study.variables[v];
-        auto* box = narrowBox(tr("The value at which the map is cut"));
+        auto* box = new NarrowBox(tr("The value at which the map is cut"));
         for (const std::string& value : variable.values)
             box->addItem(QString::fromStdString(value));
         auto* pair = new QWidget;

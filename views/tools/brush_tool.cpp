@@ -6,7 +6,6 @@
 #include "document/document.h"
 #include "document/words.h"
 #include "overlays/caption.h"
-#include "shaping/mirror_plane.h"
 #include "tools/picker.h"
 
 #include <QLocale>
@@ -73,7 +72,14 @@ BrushTool::BrushTool(Document& document, Brush& brush, Calls calls)
     : m_document(document)
     , m_brush(brush)
     , m_calls(std::move(calls))
-{}
+{
+    const auto forget = [this] {
+        if (!m_stroke)
+            m_planes.clear();
+    };
+    QObject::connect(&document, &Document::changed, &m_listener, forget);
+    QObject::connect(&document, &Document::replaced, &m_listener, forget);
+}
 
 bool BrushTool::press(const QMouseEvent& event, const CameraView& view)
 {
@@ -114,10 +120,22 @@ void BrushTool::paintTo(const QMouseEvent& event, const CameraView& view)
 {
     m_cursor = event.position();
     const std::optional<Vec3> before = std::exchange(m_place, fabricAt(view, *m_cursor));
+    m_image = m_place && m_brush.mirrors ? imageOf(*m_place) : std::nullopt;
     if (!m_stroke || !m_place || !m_stroke->paint(before.value_or(*m_place), *m_place))
         return;
     m_document.cancel(m_gesture); // the stroke so far
     m_document.drag(m_stroke->edit(), m_gesture);
+}
+
+std::optional<Vec3> BrushTool::imageOf(const Vec3& place)
+{
+    const Id id = partNearest(m_document.scene(), place);
+    if (id == noId)
+        return std::nullopt;
+    const auto [plane, isNew] = m_planes.try_emplace(id);
+    if (isNew)
+        plane->second = mirrorPlaneOf(*findItem<Part>(m_document.scene(), id));
+    return plane->second.mirrored(place);
 }
 
 bool BrushTool::wheel(const QWheelEvent& event, const CameraView&)
@@ -146,13 +164,10 @@ void BrushTool::paint(QPainter& painter, const Theme& theme, const CameraView& v
     const Vec3 middle = m_place.value_or(view.camera.focus);
     const double radius = m_brush.radius / projection.metresPerPixel(middle);
     paintRing(painter, theme, *m_cursor, radius, m_place.has_value());
-    if (const auto plane = m_brush.mirrors && m_place ? mirrorPlaneAt(m_document.scene(), *m_place)
-                                                      : std::nullopt) {
-        const Vec3 other = plane->mirrored(*m_place);
-        if (const std::optional<QPointF> pixel = projection.pixel(other))
-            paintRing(painter, theme, *pixel, m_brush.radius / projection.metresPerPixel(other),
+    if (m_image)
+        if (const std::optional<QPointF> pixel = projection.pixel(*m_image))
+            paintRing(painter, theme, *pixel, m_brush.radius / projection.metresPerPixel(*m_image),
                       false);
-    }
     paintCaption(painter, theme, *m_cursor,
                  words("%1 · radius %2 m").arg(brushText(m_brush), compactNumber(m_brush.radius)));
 }

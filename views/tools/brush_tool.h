@@ -7,12 +7,15 @@
 #pragma once
 
 #include "shaping/brush.h"
+#include "shaping/mirror_plane.h"
 #include "tools/tool.h"
 
+#include <QObject>
 #include <QPointF>
 #include <QString>
 
 #include <functional>
+#include <map>
 #include <optional>
 
 namespace ripstop {
@@ -43,6 +46,7 @@ public:
 
 private:
     void paintTo(const QMouseEvent& event, const CameraView& view);
+    std::optional<Vec3> imageOf(const Vec3& place);
 
     Document& m_document;
     Brush& m_brush;
@@ -52,6 +56,11 @@ private:
     bool m_isDown = false;           // the button is, though Escape may have given the stroke up
     std::optional<QPointF> m_cursor; // pixels, once the mouse has been in the view
     std::optional<Vec3> m_place;     // m, on the fabric under the cursor
+    std::optional<Vec3> m_image;     // m, on the other side of it, where the brush mirrors
+
+    // Of parts that the cursor has been over since the design changed; a stroke moves nothing.
+    std::map<Id, MirrorPlane> m_planes;
+    QObject m_listener;
 };
 
 // Why the brush can paint nothing of this scene, as a sentence; empty where it can.
