@@ -372,7 +372,7 @@ private:
                 continue;
             const auto [known, isNew] = first.try_emplace(material->name, entry.id);
             if (!isNew)
-                add("name", Severity::Warning,
+                add("namesake", Severity::Warning,
                     Message("Materials #%1 and #%2 are both called %3, and a path of that name "
                             "means the first: rename one.",
                             std::uint32_t(known->second), std::uint32_t(entry.id), material->name),
