@@ -146,7 +146,8 @@ private:
         CanopyPiece made;
         for (int panel = 0; panel < int(m_part.panels.size()); ++panel)
             if (m_piece[std::size_t(panel)] == piece)
-                made.facets.push_back({panel, cornersOf(panel), m_cloth.of(cornersOf(panel))});
+                made.facets.push_back(
+                    {panel, cornersOf(panel), m_cloth.of(m_part.panels[std::size_t(panel)])});
         return made;
     }
 

@@ -21,7 +21,7 @@ struct CanopyPiece
     {
         int panel;                // row in Part::panels
         std::array<Id, 3> corner; // normal (b - a) x (c - a) points out of the air
-        double area;              // m^2, of the cloth: by rest lengths where links lie on all edges
+        double area;              // m^2, of the cloth as it is cut (cloth_area.h)
     };
     std::vector<Facet> facets;          // in the order of the panels
     std::vector<Id> mouth;              // once around

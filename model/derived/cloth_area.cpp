@@ -1,8 +1,11 @@
 #include "derived/cloth_area.h"
 
+#include "derived/flat_panel.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ripstop {
@@ -25,29 +28,38 @@ std::optional<double> ClothArea::lengthOf(Id a, Id b) const
                                                             : std::nullopt;
 }
 
-double ClothArea::of(const std::array<Id, 3>& corner) const
+std::optional<double> ClothArea::byLinks(const Panel& panel) const
 {
-    const auto a = lengthOf(corner[0], corner[1]), b = lengthOf(corner[1], corner[2]),
-               c = lengthOf(corner[2], corner[0]);
-    if (a && b && c) {
-        const double s = 0.5 * (*a + *b + *c); // Heron
-        const double square = s * (s - *a) * (s - *b) * (s - *c);
-        if (square > 0.0)
-            return std::sqrt(square);
-    }
+    const auto a = lengthOf(panel.a, panel.b), b = lengthOf(panel.b, panel.c),
+               c = lengthOf(panel.c, panel.a);
+    if (!a || !b || !c)
+        return std::nullopt;
+    const double s = 0.5 * (*a + *b + *c); // Heron
+    const double square = s * (s - *a) * (s - *b) * (s - *c);
+    return square > 0.0 ? std::optional(std::sqrt(square)) : std::nullopt;
+}
+
+double ClothArea::of(const Panel& panel) const
+{
+    const bool isCut = m_part.carrier == FabricKind::Panels;
+    if (const auto area = isCut ? std::nullopt : byLinks(panel))
+        return *area;
     std::array<const Particle*, 3> at{};
-    for (std::size_t k = 0; k < 3; ++k)
-        if (at[k] = findRow(m_part.particles, corner[k]); !at[k])
+    for (std::size_t k = 0; const Id corner : {panel.a, panel.b, panel.c})
+        if (at[k++] = findRow(m_part.particles, corner); !at[k - 1])
             return 0.0;
-    return 0.5
-           * (at[1]->position - at[0]->position).cross(at[2]->position - at[0]->position).norm();
+    const auto& [a, b, c] = at;
+    if (isCut)
+        if (const auto flat = flatPanel(panel, a->position, b->position, c->position))
+            return flat->area();
+    return 0.5 * (b->position - a->position).cross(c->position - a->position).norm();
 }
 
 double ClothArea::whole() const
 {
     double area = 0.0;
     for (const Panel& panel : m_part.panels)
-        area += of({panel.a, panel.b, panel.c});
+        area += of(panel);
     return area;
 }
 

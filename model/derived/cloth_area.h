@@ -1,13 +1,13 @@
 // How much cloth there is: the area of panels laid out flat, m^2.
-// A canopy in folds, or a sail that is drawn slack, has more cloth than its shape shows: the rest
-// lengths of the links along the sides of a panel say how large it was cut (Heron's formula). A
-// panel without a link on each side, or with rest lengths that close no triangle, counts as it
-// lies. Canopy pieces, design figures and the info command use it; nothing in it fails.
+// A canopy in folds, or a sail that is drawn slack, has more cloth than its shape shows. Panels
+// that carry the pull know how they were cut (flat_panel.h). Where links do, the rest lengths of
+// those along the sides of a panel say how large it was cut (Heron's formula); a panel without a
+// link on each side, or with rest lengths that close no triangle, counts as it lies. Canopy pieces,
+// design figures and the info command use it; nothing in it fails.
 #pragma once
 
 #include "scene/scene.h"
 
-#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,11 +21,12 @@ class ClothArea
 public:
     explicit ClothArea(const Part& part);
 
-    double of(const std::array<Id, 3>& corner) const; // m^2; 0 for a corner in another part
-    double whole() const;                             // m^2, of all panels
+    double of(const Panel& panel) const; // m^2; 0 for a corner in another part
+    double whole() const;                // m^2, of all panels
 
 private:
-    std::optional<double> lengthOf(Id a, Id b) const; // m, of the first link there
+    std::optional<double> byLinks(const Panel& panel) const; // m^2
+    std::optional<double> lengthOf(Id a, Id b) const;        // m, of the first link there
 
     using Side = std::pair<Id, Id>; // the lower id first
     const Part& m_part;

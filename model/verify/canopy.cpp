@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 namespace ripstop {
@@ -114,10 +115,10 @@ double addedMassOfCup()
 
 // --- parachutes of the builder
 
-Chute thrownC9()
+Chute thrownC9(const Parameters& materials)
 {
     Chute chute;
-    chute.parameters = sizeOfC9();
+    chute.parameters = joined(sizeOfC9(), materials);
     chute.speed = 60.0;
     chute.until = 1.0;
     return chute;
@@ -184,6 +185,30 @@ void addCups(std::vector<Case>& cases)
     }
 }
 
+// What porous nylon has for CD0 is beside Knacke's in the references; here it is of tight cloth.
+void addOpenings(std::vector<Case>& cases, const std::string& canopy, const Parameters& materials,
+                 std::initializer_list<double> speeds)
+{
+    const std::string knacke = "Knacke 1991, chapter 5, flat circular";
+    for (const double speed : speeds) {
+        const auto held = shared([=] { return fly(heldC9(speed, materials)); });
+        const std::string c9 = canopy + "held in " + (speed < 30.0 ? "20" : "60") + " m/s, ";
+        cases.push_back({"T-C5", c9 + "width over D0", 0.695, within(0.065), "", knacke,
+                         [held] { return held().width; }});
+        if (materials.empty())
+            cases.push_back({"T-C5", c9 + "CD0", 0.75, within(0.10), "", knacke,
+                             [held] { return held().drag; }});
+        cases.push_back({"T-C5", c9 + "fill constant n", 8.0, within(3.0), "", knacke,
+                         [held] { return held().filled; }});
+        cases.push_back({"T-C5", c9 + "growth exponent j", 2.0, within(0.5), "", knacke,
+                         [held] { return held().growth; }});
+    }
+    cases.push_back({"T-C6", canopy + "100 kg at 60 m/s without weight, highest pull", 8127.4,
+                     relative(0.30), "N",
+                     "drag area as (t / tf)^2, CD0 0.775, n 8: X1 = 4/9 (1.5 A)^(2/3)",
+                     [=] { return fly(thrownC9(materials)).highest; }});
+}
+
 } // namespace
 
 std::vector<Case> canopyCases()
@@ -201,24 +226,8 @@ std::vector<Case> canopyCases()
     cases.push_back({"T-M4", even + "volume over D0^3", 0.609262 / 8.0, relative(0.03), "", mylar,
                      [taylor] { return taylor().volume; }});
 
-    const std::string knacke = "Knacke 1991, chapter 5, flat circular";
-    for (const double speed : {20.0, 60.0}) {
-        const auto held = shared([speed] { return fly(heldC9(speed)); });
-        const std::string c9 =
-            "C-9 without hoop, held in " + std::string(speed < 30.0 ? "20" : "60") + " m/s, ";
-        cases.push_back({"T-C5", c9 + "width over D0", 0.695, within(0.065), "", knacke,
-                         [held] { return held().width; }});
-        cases.push_back(
-            {"T-C5", c9 + "CD0", 0.75, within(0.10), "", knacke, [held] { return held().drag; }});
-        cases.push_back({"T-C5", c9 + "fill constant n", 8.0, within(3.0), "", knacke,
-                         [held] { return held().filled; }});
-        cases.push_back({"T-C5", c9 + "growth exponent j", 2.0, within(0.5), "", knacke,
-                         [held] { return held().growth; }});
-    }
-    cases.push_back({"T-C6", "C-9 without hoop, 100 kg at 60 m/s without weight, highest pull",
-                     8127.4, relative(0.30), "N",
-                     "drag area as (t / tf)^2, CD0 0.775, n 8: X1 = 4/9 (1.5 A)^(2/3)",
-                     [] { return fly(thrownC9()).highest; }});
+    addOpenings(cases, "C-9 without hoop, ", {}, {20.0, 60.0});
+    addOpenings(cases, "C-9 of nylon, ", nylonOfC9(), {20.0});
     const auto tight = shared([] { return sinkRate(0.0); });
     const auto nylon = shared([] { return sinkRate(0.03); });
     cases.push_back({"T-C7", "sink rate of nylon of porosity 0.03 over that of tight cloth", 1.0,

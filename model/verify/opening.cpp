@@ -7,6 +7,7 @@
 
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
+#include "verify/reference_sections.h"
 
 #include <Eigen/Geometry>
 
@@ -149,10 +150,22 @@ Parameters sizeOfC9()
             {"mouth", 0.05},      {"pressure", 1.68},   {"altitude", 1000.0}};
 }
 
-Chute heldC9(double speed)
+Parameters nylonOfC9()
+{
+    return {{"cloth", choiceOf("parachute", "cloth", "mil_7020_1")},
+            {"cord", choiceOf("parachute", "cord", "mil_5040_3")}};
+}
+
+Parameters joined(Parameters one, const Parameters& other)
+{
+    one.insert(other.begin(), other.end());
+    return one;
+}
+
+Chute heldC9(double speed, const Parameters& materials)
 {
     Chute chute;
-    chute.parameters = sizeOfC9();
+    chute.parameters = joined(sizeOfC9(), materials);
     chute.speed = speed;
     chute.held = true;
     chute.until = 12.0 * 8.53 / speed;

@@ -43,7 +43,14 @@ Flight fly(const Chute& chute);
 // at the start.
 Parameters sizeOfC9();
 
+// What a C-9 is made of: nylon of 1.1 oz on cords of 550 lb.
+Parameters nylonOfC9();
+
+// One set of parameters and, for those that it does not have, another.
+Parameters joined(Parameters one, const Parameters& other);
+
 // The C-9 with its payload held in wind of that speed, m/s, until twelve diameters have gone by.
-Chute heldC9(double speed);
+// Held in 60 m/s one of nylon has loads of 40 kN and more, which break its lines.
+Chute heldC9(double speed, const Parameters& materials = {});
 
 } // namespace ripstop

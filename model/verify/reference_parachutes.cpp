@@ -66,19 +66,6 @@ double projectedRatio(double hoop)
     return 2.0 * mean / 5.0; // the builder's D0 is 5 m
 }
 
-// What C-9 and T-10 are made of: nylon of 1.1 oz on cords of 550 lb.
-Parameters ofNylon()
-{
-    return {{"cloth", choiceOf("parachute", "cloth", "mil_7020_1")},
-            {"cord", choiceOf("parachute", "cord", "mil_5040_3")}};
-}
-
-Parameters joined(Parameters one, const Parameters& other)
-{
-    one.insert(other.begin(), other.end());
-    return one;
-}
-
 // The C-9, thrown down at 60 m/s or as it sinks, without a hoop.
 Flight flightOfC9(bool opens, const Parameters& materials)
 {
@@ -95,17 +82,13 @@ void addOpenings(std::vector<Reference>& references, const Parameters& materials
 {
     const std::string section = "Parachutes";
     const auto sinking = shared([=] { return flightOfC9(false, materials); });
-    const auto held = shared([=] {
-        Chute chute = heldC9(60.0);
-        chute.parameters = joined(chute.parameters, materials);
-        return fly(chute);
-    });
+    const auto held = shared([=] { return fly(heldC9(20.0, materials)); });
     references.push_back({section, c9 + "CD0 as it sinks with 100 kg", 0.75, 0.80, "",
                           "Knacke 1991, table 5-1, flat circular", note,
                           [=] { return sinking().drag; }});
     references.push_back({section, c9 + "projected over nominal diameter", 0.67, 0.70, "",
                           "Knacke 1991, table 5-1", note, [=] { return sinking().width; }});
-    references.push_back({section, c9 + "fill constant at 60 m/s", 8.0, 8.0, "",
+    references.push_back({section, c9 + "fill constant at 20 m/s", 8.0, 8.0, "",
                           "Knacke 1991, table 5-6, flat circular", note + ", payload held",
                           [=] { return held().filled; }});
     references.push_back({section, c9 + "exponent of the drag area's growth", 2.0, 2.0, "",
@@ -130,7 +113,7 @@ std::vector<Reference> parachuteReferences()
                                                          {"line_length", 7.77},
                                                          {"sectors", 30},
                                                          {"pressure", 1.68}},
-                                                        ofNylon()),
+                                                        nylonOfC9()),
                                                  163.3);
                           }});
     references.push_back({section, "T-10D, 35 ft, 360 lb, descent", 6.7, 7.3, "m/s",
@@ -162,7 +145,7 @@ std::vector<Reference> parachuteReferences()
              0.67, 0.70, "", "Knacke 1991, table 5-1",
              hoop ? "the hoop is given that width" : "starts open; lines and air alone keep it so",
              [=] { return projectedRatio(hoop); }});
-    addOpenings(references, ofNylon(), "C-9, canopy pressure, ",
+    addOpenings(references, nylonOfC9(), "C-9, canopy pressure, ",
                 "no hoop, air in the canopy; nylon of 1.1 oz, cords of 550 lb");
     addOpenings(references, {}, "C-9, ideal, canopy pressure, ",
                 "no hoop, air in the canopy; ideal cloth, airtight");

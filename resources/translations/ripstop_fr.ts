@@ -515,11 +515,6 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>Materials #%1 and #%2 are both called %3, and a path of that name means the first: rename one.</source>
-        <translation>Les matériaux #%1 et #%2 s’appellent tous deux %3, et un chemin de ce nom désigne le premier : renommez-en un.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
         <source>%1 of material %2 is above %3 %4, which no step can solve and nothing is: check the unit.</source>
         <translation>%1 du matériau %2 dépasse %3 %4, ce qu’aucun pas ne peut résoudre et que rien n’atteint : vérifiez l’unité.</translation>
     </message>
@@ -552,6 +547,11 @@
         <location filename="check.cpp"/>
         <source>Control %1 shifts weights, and a collider has none: make it move, or remove the collider from its targets.</source>
         <translation>La commande %1 déporte des poids, et un obstacle n’en a pas : la faire déplacer, ou retirer l’obstacle de ses cibles.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Materials #%1 and #%2 are both called %3, and a path of that name means the first: rename one.</source>
+        <translation>Les matériaux #%1 et #%2 s’appellent tous deux %3, et un chemin de ce nom désigne le premier : renommez-en un.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -10081,8 +10081,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 18 N as the canopy opens, 11 N as it sinks, and breaks at 445 N. The dock Loads lists what is nearest to breaking.</source>
-        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 18 N à l’ouverture, 11 N en descente, et rompt à 445 N. Le panneau Charges liste ce qui est le plus près de rompre.</translation>
+        <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 26 N as the canopy opens, 11 N as it sinks, and breaks at 445 N, at its knots at 267 N. The dock Loads lists what is nearest to breaking.</source>
+        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 26 N à l’ouverture, 11 N en descente, et rompt à 445 N, à ses nœuds à 267 N. Le panneau Charges liste ce qui est le plus près de rompre.</translation>
     </message>
     <message>
         <location filename="tables"/>

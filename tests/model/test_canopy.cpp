@@ -298,6 +298,33 @@ private slots:
         qInfo("mouth %.3f of D0", widest);
     }
 
+    // How readily air comes in goes with the cloth that there is (forces/canopy_air.h), which is as
+    // much in folds as spread out: pi D0^2 / 4.
+    void foldsHoldAllOfTheCloth_data()
+    {
+        QTest::addColumn<double>("cloth");
+        QTest::addColumn<double>("mouth");
+        QTest::newRow("ideal, full") << 0.0 << 0.0;
+        QTest::newRow("ideal, in folds") << 0.0 << 0.05;
+        QTest::newRow("nylon, full") << 1.0 << 0.0;
+        QTest::newRow("nylon, in folds") << 1.0 << 0.05;
+    }
+    void foldsHoldAllOfTheCloth()
+    {
+        QFETCH(double, cloth);
+        QFETCH(double, mouth);
+        const auto system = compile(parachute({{"cloth", cloth},
+                                               {"pressure", 1.68},
+                                               {"sectors", 60},
+                                               {"diameter", 8.0},
+                                               {"mouth", mouth}}));
+        QVERIFY(bool(system));
+        const double area = 0.25 * M_PI * 8.0 * 8.0;
+        const double held = (*system)->canopies[0].area;
+        const double rounded = 0.01 * area; // by a polygon, and by rows that are bent
+        QVERIFY2(isNear(held, area, rounded), told(held, area));
+    }
+
     // Of F-111, it starts in folds at 20 m/s, opens within some 8 D0 = 40 m (Knacke 1991, n of flat
     // circular canopies), stays open without a hoop and sinks with CD0 of 0.65 to 0.85
     // (validation 4.8).
