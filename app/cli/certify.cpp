@@ -40,6 +40,7 @@ int certify(const CertifyOptions& options)
     const FileNames inputs = inputsOf(*loaded.scene, options.scene.file, {options.controls});
     if (const int code = refuseTargets({options.csv, options.record}, inputs); code != Done)
         return code;
+    tellWarnings(*loaded.scene, options.scene.file);
     std::function<Pilot()> newPilot;
     if (!options.controls.empty()) {
         auto track = readControlTrack(options.controls, *loaded.scene);

@@ -275,6 +275,7 @@ int run(const RunOptions& options)
     const auto system = compile(*loaded.scene);
     if (!system)
         return fail(BadInput, Message("%1: %2", options.scene.file, system.message()));
+    tellWarnings(*loaded.scene, options.scene.file);
     if (options.finalScene.empty() && options.tears.empty() && options.record.empty()
         && options.events.empty() && options.loads.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each

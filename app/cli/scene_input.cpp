@@ -2,6 +2,7 @@
 // scene of a command, with what this version does not know of it.
 #include "cli/scene_input.h"
 
+#include "check/check.h"
 #include "check/unknown_items.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
@@ -98,6 +99,14 @@ SceneOutcome loadScene(const SceneInput& input)
     if (const auto failure = assign(*scene, input.assignments))
         return {std::nullopt, fail(WrongUsage, failure->message)};
     return {std::move(*scene), Done};
+}
+
+void tellWarnings(const Scene& scene, const std::string& file)
+{
+    for (const Finding& problem : problemsOf(scene))
+        if (problem.severity == Severity::Warning)
+            std::cerr << "ripstop-cli: warning: " << file << ": " << problem.message.english()
+                      << '\n';
 }
 
 } // namespace ripstop

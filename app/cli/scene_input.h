@@ -38,6 +38,10 @@ struct SceneOutcome
 };
 SceneOutcome loadScene(const SceneInput& input);
 
+// Says on the standard error what will not do what it seems to, as the list of problems in the
+// window does; before something is flown. Errors are told by whoever cannot go on.
+void tellWarnings(const Scene& scene, const std::string& file);
+
 // Applies the assignments in their order; a failure names the first that does not fit.
 std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assignments);
 

@@ -293,6 +293,7 @@ int prepare(const SweepOptions& options, Sweep& sweep)
         const FileNames inputs = inputsOf(*loaded.scene, options.scenes[i], {options.controls});
         if (const int code = refuseTargets({options.output}, inputs); code != Done)
             return code;
+        tellWarnings(*loaded.scene, options.scenes[i]);
         sweep.controls.emplace_back();
         if (!options.controls.empty()) {
             auto track = readControlTrack(options.controls, *loaded.scene);

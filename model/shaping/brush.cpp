@@ -102,12 +102,13 @@ void BrushStroke::add(const Scene& scene, const Part& part)
             const Particle* const c = particleOf(scene, row.c);
             if (!a || !b || !c)
                 continue;
-            const double to = m_brush.what == Painted::Grain
-                                  ? asGrain(uprightGrain(*a, *b, *c) + m_brush.value())
-                                  : m_brush.value();
+            const bool turns = m_brush.what == Painted::Grain;
+            const double upright = turns ? uprightGrain(*a, *b, *c) : 0.0;
+            const double value = m_brush.value();
             const Vec3 middle = (a->position + b->position + c->position) / 3.0;
-            m_spots.push_back(
-                {middle, plane.mirrored(middle), row.id, Kind::Panel, number(row), to});
+            m_spots.push_back({middle, plane.mirrored(middle), row.id, Kind::Panel, number(row),
+                               turns ? asGrain(upright + value) : value,
+                               turns ? asGrain(upright - value) : value});
         }
         return;
     }
@@ -124,8 +125,8 @@ void BrushStroke::add(const Scene& scene, const Part& part)
         if (!from || !to || isOutside(row.from) || isOutside(row.to))
             continue;
         const Vec3 middle = 0.5 * (from->position + to->position);
-        m_spots.push_back(
-            {middle, plane.mirrored(middle), row.id, Kind::Link, number(row), m_brush.value()});
+        m_spots.push_back({middle, plane.mirrored(middle), row.id, Kind::Link, number(row),
+                           m_brush.value(), m_brush.value()});
     }
 }
 
@@ -133,12 +134,17 @@ bool BrushStroke::paint(const Vec3& from, const Vec3& to)
 {
     bool changes = false;
     for (Spot& spot : m_spots) {
-        double distance = distanceToWay(spot.place, from, to);
+        const double before = valueOf(spot);
+        const auto touch = [&](const Vec3& place, bool isImage) {
+            const double distance = distanceToWay(place, from, to);
+            if (distance < spot.nearest)
+                spot.isImage = isImage;
+            spot.nearest = std::min(spot.nearest, distance);
+        };
+        touch(spot.place, false);
         if (m_brush.mirrors)
-            distance = std::min(distance, distanceToWay(spot.image, from, to));
-        const double weight = m_brush.weightAt(distance);
-        changes |= weight > spot.weight;
-        spot.weight = std::max(spot.weight, weight);
+            touch(spot.image, true);
+        changes |= valueOf(spot) != before;
     }
     return changes;
 }
@@ -146,16 +152,20 @@ bool BrushStroke::paint(const Vec3& from, const Vec3& to)
 std::size_t BrushStroke::count() const
 {
     return std::size_t(
-        std::ranges::count_if(m_spots, [](const Spot& spot) { return spot.weight > 0.0; }));
+        std::ranges::count_if(m_spots, [this](const Spot& spot) { return weightOf(spot) > 0.0; }));
 }
 
 double BrushStroke::valueOf(const Spot& spot) const
 {
-    if (spot.weight == 1.0)
-        return spot.to;
+    const double to = spot.isImage ? spot.toAsImage : spot.to;
+    const double weight = weightOf(spot);
+    if (weight == 0.0)
+        return spot.from;
+    if (weight == 1.0)
+        return to;
     if (m_brush.what == Painted::Grain)
-        return asGrain(spot.from + spot.weight * std::remainder(spot.to - spot.from, 180.0));
-    return spot.from + spot.weight * (spot.to - spot.from);
+        return asGrain(spot.from + weight * std::remainder(to - spot.from, 180.0));
+    return spot.from + weight * (to - spot.from);
 }
 
 Edit BrushStroke::edit() const
@@ -164,7 +174,7 @@ Edit BrushStroke::edit() const
     for (const Kind kind : {Kind::Link, Kind::Panel}) {
         SetValues values{paintedProperty(m_brush.what, kind), {}, {}};
         for (const Spot& spot : m_spots)
-            if (spot.kind == kind && spot.weight > 0.0) {
+            if (spot.kind == kind && weightOf(spot) > 0.0) {
                 values.targets.push_back(spot.id);
                 values.values.emplace_back(valueOf(spot));
             }

@@ -7,12 +7,14 @@
 //
 // Over one stroke a place has the weight of where the brush came nearest, so that painting it twice
 // gives no more than once, and how fast the hand goes does not matter. A number goes by its weight
-// from what it was to that of the brush; a warp turns the shorter way.
+// from what it was to that of the brush; a warp turns the shorter way. On the other side of a
+// mirror it is turned the other way, so that halves stay mirror images of each other.
 #pragma once
 
 #include "scene/edit.h"
 
 #include <array>
+#include <limits>
 
 namespace ripstop {
 
@@ -72,12 +74,15 @@ private:
         Vec3 image; // m, on the other side
         Id id;
         Kind kind;
-        double from;         // the number before
-        double to;           // and where the brush has its full weight
-        double weight = 0.0; // 1, reached so far
+        double from;      // the number before
+        double to;        // and where the brush has its full weight,
+        double toAsImage; // where that of the other side has
+        double nearest = std::numeric_limits<double>::infinity(); // m, that the brush came
+        bool isImage = false;                                     // that of the other side
     };
 
     void add(const Scene& scene, const Part& part);
+    double weightOf(const Spot& spot) const { return m_brush.weightAt(spot.nearest); }
     double valueOf(const Spot& spot) const;
 
     Brush m_brush;

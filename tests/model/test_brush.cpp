@@ -148,6 +148,34 @@ private slots:
         QCOMPARE(partNearest(Scene(), Vec3::Zero()), noId);
     }
 
+    // A warp that leans outwards on one side leans outwards on the other.
+    void mirroredGrainLeansTheOtherWay()
+    {
+        const Scene scene = sheet();
+        Brush brush{
+            .what = Painted::Grain, .radius = 0.05, .falloff = Falloff::Hard, .mirrors = true};
+        brush.values[std::size_t(Painted::Grain)] = 30.0;
+        const Scene after = painted(scene, brush, {spot});
+        int sides[2] = {};
+        for (const Panel& panel : partOf(after).panels) {
+            const auto at = [&](Id id) -> Vec3 { return particleOf(scene, id)->position; };
+            const Vec3 middle = middleOf(scene, panel);
+            const Vec3 a = at(panel.a), ab = at(panel.b) - a, ac = at(panel.c) - a;
+            const bool isRight = middle.x() > 0.0;
+            const Vec3 place(isRight ? spot.x() : -spot.x(), spot.y(), spot.z());
+            if ((middle - place).norm() > 0.05 || isNear(middle.x(), 0.0, 1e-9))
+                continue;
+            ++sides[isRight];
+            const auto shares = *warpShares(panel, a, a + ab, a + ac);
+            const Vec3 warp = shares[0] * ab + shares[1] * ac;
+            const double facing = ab.cross(ac).z() > 0.0 ? 1.0 : -1.0;
+            const double lean = -facing * warp.x() / warp.y(); // of what faces z, anticlockwise
+            const double expected = std::tan(M_PI / 6.0) * (isRight ? 1.0 : -1.0);
+            QVERIFY2(isNear(lean, expected, 1e-12), told(lean, expected));
+        }
+        QVERIFY(sides[0] > 0 && sides[1] > 0);
+    }
+
     // The warp of all panels lies 30 degrees from upright, whichever way their corners go round,
     // and from there it turns by the shorter way: half way to 150 degrees is 0 and not 90.
     void grainTurnsTheShorterWay()

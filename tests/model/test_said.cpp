@@ -210,6 +210,29 @@ private slots:
         QCOMPARE(ideal.exitCode, 0);
         QVERIFY2(ideal.error.contains("warning: mouth changes nothing"), qPrintable(ideal.error));
     }
+
+    // What the list of problems warns of in the window is said before a flight as well.
+    void warnsBeforeFlying()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.ripstop.json");
+        QCOMPARE(call({"build", "delta_kite", "-o", path}).exitCode, 0);
+        const Outcome quiet = call({"run", path, "--seconds", "0.01"});
+        QCOMPARE(quiet.exitCode, 0);
+        QCOMPARE(quiet.error, QString());
+        const QString storm = "wind.velocity=2000, 0, 0"; // beyond the speed limit of 1 km/s
+        const Outcome info = call({"info", path, "--set", storm, "--json"});
+        const QString told = info.json()["problems"][0]["message"].toString();
+        QVERIFY(!told.isEmpty());
+        for (const QStringList& flown : {QStringList{"run", path, "--seconds", "0.01"},
+                                         QStringList{"certify", path, "--seconds", "0.01"},
+                                         QStringList{"sweep", path, "--seconds", "0.01", "--sweep",
+                                                     "settings.timeStep=0.004"}}) {
+            const Outcome warned = call(flown + QStringList{"--set", storm});
+            QVERIFY2(warned.error.contains("ripstop-cli: warning: " + path + ": " + told),
+                     qPrintable(warned.error));
+        }
+    }
 };
 
 const RegisteredTest registered("test_said", runWithCore<TestSaid>);
