@@ -1,16 +1,62 @@
 // Parachutes and hang gliders of what one can buy fly: a canopy of cloth stays open by the air in
 // it alone, and all sink as such craft do, whatever their mesh and their cloth.
 //
-// Stages: the canopy that collapses, the one that opens, the cross; then meshes, cloths, tubes that
-// bend, the glider.
+// Stages: the canopy that collapses, the one that opens, the cross; then the limit of stiff cloth,
+// meshes, cloths, tubes that bend, the glider.
 #include "model/real_craft.h"
+#include "model/systems.h"
 #include "registered_test.h"
 
 #include <QtTest>
 
 #include <cmath>
+#include <optional>
 
 namespace ripstop::test_real_flights {
+
+namespace {
+
+// The same of stiffer and airtight cloth, spars and lines.
+Scene stiffened(Scene scene, double factor)
+{
+    for (Entry& entry : scene.items)
+        if (Material* material = std::get_if<Material>(&entry.item)) {
+            for (std::optional<double>* stiffness :
+                 {&material->membraneStiffness, &material->weftStiffness, &material->shearStiffness,
+                  &material->axialStiffness})
+                if (*stiffness)
+                    **stiffness *= factor;
+            material->flexuralRigidity *= factor;
+            material->porosity = 0.0;
+        }
+    return scene;
+}
+
+// m that a canopy in folds, thrown down at 20 m/s, falls until it is full; 0 when it stays shut.
+double wayOfFilling(const Scene& scene)
+{
+    Simulation simulation(*compile(scene));
+    const double from = probe(simulation, "height");
+    while (simulation.state().canopies[0].fullness < 0.9)
+        if (!simulation.step() || simulation.state().time > 10.0)
+            return 0.0;
+    return from - probe(simulation, "height");
+}
+
+double meanPull(const Scene& scene) // N, of the line
+{
+    Simulation simulation(*compile(scene));
+    constexpr int looks = 100;
+    double pull = 0.0;
+    for (int look = 0; look < looks; ++look) {
+        if (!simulation.runUntil(8.0 + 0.05 * look))
+            return 0.0;
+        pull += probe(simulation, "line tension") / looks;
+    }
+    return pull;
+}
+
+} // namespace
 
 class TestRealFlights : public QObject
 {
@@ -69,6 +115,26 @@ private slots:
         qInfo("sinks at %.2f m/s: CD0 %.3f", rate, drag);
         QVERIFY(drag > 0.60 && drag < 0.70);
         QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+
+    // The law of panels and that of ideal threads are one in the limit of cloth that does not
+    // stretch and lets no air through, whatever shape the craft starts in.
+    void stiffCraftFlyAsIdealOnes()
+    {
+        const Parameters opening{
+            {"pressure", 1.68}, {"mouth", 0.05}, {"speed", 20.0}, {"altitude", 1000.0}};
+        Parameters ideal = opening;
+        ideal["cloth"] = ideal["cord"] = 0.0;
+        const double way = wayOfFilling(stiffened(craft("parachute", nylon(opening)), 10.0));
+        const double idealWay = wayOfFilling(craft("parachute", ideal));
+        qInfo("full after %.2f m, of ideal cloth after %.2f m", way, idealWay);
+        QVERIFY2(isNear(way, idealWay, 0.05 * idealWay), told(way, idealWay));
+
+        const double pull = meanPull(stiffened(craft("rectangular_kite", {}), 100.0));
+        const double idealPull =
+            meanPull(craft("rectangular_kite", {{"cloth", 0.0}, {"spars", 0.0}, {"cord", 0.0}}));
+        qInfo("pulls with %.3f N, of ideal cloth with %.3f N", pull, idealPull);
+        QVERIFY2(isNear(pull, idealPull, 0.01 * idealPull), told(pull, idealPull));
     }
 
     // The same craft cut into other panels, and a canopy into other gores, sinks as fast; how far
