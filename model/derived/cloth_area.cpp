@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace ripstop {
@@ -44,11 +43,11 @@ double ClothArea::of(const Panel& panel) const
     const bool isCut = m_part.carrier == FabricKind::Panels;
     if (const auto area = isCut ? std::nullopt : byLinks(panel))
         return *area;
-    std::array<const Particle*, 3> at{};
-    for (std::size_t k = 0; const Id corner : {panel.a, panel.b, panel.c})
-        if (at[k++] = findRow(m_part.particles, corner); !at[k - 1])
-            return 0.0;
-    const auto& [a, b, c] = at;
+    const Particle* const a = findRow(m_part.particles, panel.a);
+    const Particle* const b = findRow(m_part.particles, panel.b);
+    const Particle* const c = findRow(m_part.particles, panel.c);
+    if (!a || !b || !c)
+        return 0.0;
     if (isCut)
         if (const auto flat = flatPanel(panel, a->position, b->position, c->position))
             return flat->area();
