@@ -33,7 +33,7 @@ struct Sums
     Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
-Sums sumsOf(const Part& part)
+Sums sumsOf(const Scene& scene, const Part& part)
 {
     Sums sums;
     sums.particles = part.particles.size();
@@ -47,7 +47,7 @@ Sums sumsOf(const Part& part)
     }
     for (const Link& link : part.links)
         ++(link.kind == LinkKind::Rod ? sums.rods : sums.springs);
-    sums.area = ClothArea(part).whole();
+    sums.area = ClothArea(part, &scene).whole();
     return sums;
 }
 
@@ -68,7 +68,7 @@ Json describe(const Scene& scene)
     Sums all;
     Json parts = Json::array();
     forEachPart(scene, [&](Id id, const Part& part) {
-        const Sums sums = sumsOf(part);
+        const Sums sums = sumsOf(scene, part);
         Json entry = {{"name", part.name}, {"id", std::uint32_t(id)}};
         entry.update(jsonOf(sums));
         parts.push_back(std::move(entry));

@@ -66,7 +66,7 @@ DesignFigures designFiguresOf(const Scene& scene, Family family)
             for (const Vec3& corner : {a, b, c})
                 cloth.extend(corner);
         }
-        figures.area += ClothArea(part).whole();
+        figures.area += ClothArea(part, &scene).whole();
         figures.lineLength += lineLength(scene, part);
     });
     if (const Eigen::AlignedBox3d box = extentOf(scene); !box.isEmpty())

@@ -1,5 +1,6 @@
 #include "author/targets.h"
 
+#include "derived/cloth_area.h"
 #include "select/elements.h"
 #include "shaping/spread_mass.h"
 
@@ -31,16 +32,12 @@ double lengthOf(const Elements& elements)
 double areaOf(const Scene& scene, const Elements& elements)
 {
     double area = 0.0;
-    const auto place = [&](Id id) -> const Vec3* {
-        const auto ref = find(scene, id);
-        const auto* row = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-        return row ? &(*row)->position : nullptr;
-    };
-    for (const Panel* row : elements.panels) {
-        const Vec3 *a = place(row->a), *b = place(row->b), *c = place(row->c);
-        if (a && b && c)
-            area += 0.5 * (*b - *a).cross(*c - *a).norm();
-    }
+    forEachPart(scene, [&](Id, const Part& part) {
+        const ClothArea cloth(part, &scene);
+        for (const Panel* row : elements.panels)
+            if (findRow(part.panels, row->id) == row)
+                area += cloth.of(*row);
+    });
     return area;
 }
 

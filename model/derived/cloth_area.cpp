@@ -1,6 +1,7 @@
 #include "derived/cloth_area.h"
 
 #include "derived/flat_panel.h"
+#include "scene/property.h"
 
 #include <Eigen/Geometry>
 
@@ -9,9 +10,13 @@
 
 namespace ripstop {
 
-ClothArea::ClothArea(const Part& part)
+ClothArea::ClothArea(const Part& part, const Scene* scene)
     : m_part(part)
+    , m_scene(scene)
+    , m_isCut(part.carrier == FabricKind::Panels)
 {
+    if (m_isCut)
+        return;
     m_lengths.reserve(part.links.size());
     for (const Link& link : part.links)
         m_lengths.push_back({std::minmax(link.from, link.to), link.restLength});
@@ -38,17 +43,25 @@ std::optional<double> ClothArea::byLinks(const Panel& panel) const
     return square > 0.0 ? std::optional(std::sqrt(square)) : std::nullopt;
 }
 
+const Particle* ClothArea::at(Id particle) const
+{
+    if (const Particle* const own = findRow(m_part.particles, particle); own || !m_scene)
+        return own;
+    const auto found = find(*m_scene, particle);
+    const Particle* const* const row = found ? std::get_if<const Particle*>(&*found) : nullptr;
+    return row ? *row : nullptr;
+}
+
 double ClothArea::of(const Panel& panel) const
 {
-    const bool isCut = m_part.carrier == FabricKind::Panels;
-    if (const auto area = isCut ? std::nullopt : byLinks(panel))
+    if (const auto area = byLinks(panel))
         return *area;
-    const Particle* const a = findRow(m_part.particles, panel.a);
-    const Particle* const b = findRow(m_part.particles, panel.b);
-    const Particle* const c = findRow(m_part.particles, panel.c);
+    const Particle* const a = at(panel.a);
+    const Particle* const b = at(panel.b);
+    const Particle* const c = at(panel.c);
     if (!a || !b || !c)
         return 0.0;
-    if (isCut)
+    if (m_isCut)
         if (const auto flat = flatPanel(panel, a->position, b->position, c->position))
             return flat->area();
     return 0.5 * (b->position - a->position).cross(c->position - a->position).norm();

@@ -102,13 +102,10 @@ void BrushStroke::add(const Scene& scene, const Part& part)
             const Particle* const c = particleOf(scene, row.c);
             if (!a || !b || !c)
                 continue;
-            const bool turns = m_brush.what == Painted::Grain;
-            const double upright = turns ? uprightGrain(*a, *b, *c) : 0.0;
-            const double value = m_brush.value();
+            const double upright = m_brush.what == Painted::Grain ? uprightGrain(*a, *b, *c) : 0.0;
             const Vec3 middle = (a->position + b->position + c->position) / 3.0;
-            m_spots.push_back({middle, plane.mirrored(middle), row.id, Kind::Panel, number(row),
-                               turns ? asGrain(upright + value) : value,
-                               turns ? asGrain(upright - value) : value});
+            m_spots.push_back(
+                {middle, plane.mirrored(middle), row.id, Kind::Panel, number(row), upright});
         }
         return;
     }
@@ -125,8 +122,7 @@ void BrushStroke::add(const Scene& scene, const Part& part)
         if (!from || !to || isOutside(row.from) || isOutside(row.to))
             continue;
         const Vec3 middle = 0.5 * (from->position + to->position);
-        m_spots.push_back({middle, plane.mirrored(middle), row.id, Kind::Link, number(row),
-                           m_brush.value(), m_brush.value()});
+        m_spots.push_back({middle, plane.mirrored(middle), row.id, Kind::Link, number(row), 0.0});
     }
 }
 
@@ -157,15 +153,16 @@ std::size_t BrushStroke::count() const
 
 double BrushStroke::valueOf(const Spot& spot) const
 {
-    const double to = spot.isImage ? spot.toAsImage : spot.to;
     const double weight = weightOf(spot);
     if (weight == 0.0)
         return spot.from;
+    const bool turns = m_brush.what == Painted::Grain;
+    const double value = m_brush.value();
+    const double to = turns ? asGrain(spot.upright + (spot.isImage ? -value : value)) : value;
     if (weight == 1.0)
         return to;
-    if (m_brush.what == Painted::Grain)
-        return asGrain(spot.from + weight * std::remainder(to - spot.from, 180.0));
-    return spot.from + weight * (to - spot.from);
+    return turns ? asGrain(spot.from + weight * std::remainder(to - spot.from, 180.0))
+                 : spot.from + weight * (to - spot.from);
 }
 
 Edit BrushStroke::edit() const

@@ -74,9 +74,8 @@ private:
         Vec3 image; // m, on the other side
         Id id;
         Kind kind;
-        double from;      // the number before
-        double to;        // and where the brush has its full weight,
-        double toAsImage; // where that of the other side has
+        double from;    // the number before
+        double upright; // degrees, the grain that a brush of 0 paints
         double nearest = std::numeric_limits<double>::infinity(); // m, that the brush came
         bool isImage = false;                                     // that of the other side
     };

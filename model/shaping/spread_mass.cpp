@@ -4,6 +4,7 @@
 #include "shaping/spread_mass.h"
 
 #include "base/key_index.h"
+#include "derived/cloth_area.h"
 #include "shaping/movable.h"
 
 #include <Eigen/Geometry>
@@ -48,15 +49,12 @@ std::vector<double> sharesOf(const Scene& scene, const Bodies& bodies, MassBy by
             for (const Link& row : part.links)
                 if (has(row.from) && has(row.to))
                     add({row.from, row.to}, row.restLength);
-        if (by == MassBy::Area)
-            for (const Panel& row : part.panels)
-                if (has(row.a) && has(row.b) && has(row.c)) {
-                    const auto at = [&](Id id) {
-                        return bodies.row[std::size_t(bodies(id))]->position;
-                    };
-                    const Vec3 a = at(row.a);
-                    add({row.a, row.b, row.c}, 0.5 * (at(row.b) - a).cross(at(row.c) - a).norm());
-                }
+        if (by != MassBy::Area)
+            return;
+        const ClothArea cloth(part, &scene);
+        for (const Panel& row : part.panels)
+            if (has(row.a) && has(row.b) && has(row.c))
+                add({row.a, row.b, row.c}, cloth.of(row));
     });
     return share;
 }

@@ -192,7 +192,7 @@ void addOpenings(std::vector<Case>& cases, const std::string& canopy, const Para
     const std::string knacke = "Knacke 1991, chapter 5, flat circular";
     for (const double speed : speeds) {
         const auto held = shared([=] { return fly(heldC9(speed, materials)); });
-        const std::string c9 = canopy + "held in " + (speed < 30.0 ? "20" : "60") + " m/s, ";
+        const std::string c9 = canopy + "held in " + std::to_string(int(speed)) + " m/s, ";
         cases.push_back({"T-C5", c9 + "width over D0", 0.695, within(0.065), "", knacke,
                          [held] { return held().width; }});
         if (materials.empty())

@@ -1,14 +1,17 @@
 // What a part or a group comes to beside its targets, and where its mass lies.
 //
 // Stages: a part without and with targets, by hand; how a difference of mass is spread; groups;
-// refusals; and the centre of gravity and inertia.
+// folds; refusals; and the centre of gravity and inertia.
 #include "model/systems.h"
 #include "registered_test.h"
 
 #include "author/targets.h"
+#include "builders/builder.h"
 #include "shaping/spread_mass.h"
 
 #include <QtTest>
+
+#include <numbers>
 
 namespace ripstop::test_targets {
 
@@ -110,6 +113,34 @@ private slots:
         const Part& part = *findItem<Part>(square.scene, square.part);
         QVERIFY(isNear(part.particles[0].mass, 0.2, 1e-12));
         QVERIFY(isNear(part.particles[2].mass, 0.3, 1e-12)); // no member
+    }
+
+    // A canopy in folds has the area, and by it the mass, of its cloth laid out flat: pi D0^2 / 4.
+    void foldsCountAllOfTheCloth()
+    {
+        for (const double cloth : {0.0, 1.0}) {
+            Scene scene =
+                *build(*findBuilder("parachute"),
+                       {{"cloth", cloth}, {"pressure", 1.68}, {"mouth", 0.05}, {"sectors", 60.0}});
+            const double area = 0.25 * std::numbers::pi * 5.0 * 5.0;
+            const double rounded = 0.01 * area; // by a polygon, and by rows that are bent
+            Id id = noId;
+            std::vector<Id> canopy;
+            for (Entry& entry : scene.items) {
+                if (Part* part = std::get_if<Part>(&entry.item)) {
+                    part->areaTarget = 1.0;
+                    id = entry.id;
+                }
+                if (const Group* group = std::get_if<Group>(&entry.item);
+                    group && group->name == "canopy")
+                    canopy = group->members;
+            }
+            const double held = targetsOf(scene, id).front().value;
+            QVERIFY2(isNear(held, area, rounded), told(held, area));
+            (void)apply(scene, *massSpread(scene, canopy, MassBy::Area, 0.04));
+            const double mass = massPropertiesOf(scene, canopy).mass;
+            QVERIFY2(isNear(mass, 0.04 * area, 0.04 * rounded), told(mass, 0.04 * area));
+        }
     }
 
     void massOfNothingCannotBeSpread()
