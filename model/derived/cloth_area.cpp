@@ -3,8 +3,6 @@
 #include "derived/flat_panel.h"
 #include "scene/property.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,9 +11,8 @@ namespace ripstop {
 ClothArea::ClothArea(const Part& part, const Scene* scene)
     : m_part(part)
     , m_scene(scene)
-    , m_isCut(part.carrier == FabricKind::Panels)
 {
-    if (m_isCut)
+    if (part.carrier == FabricKind::Panels)
         return;
     m_lengths.reserve(part.links.size());
     for (const Link& link : part.links)
@@ -61,10 +58,7 @@ double ClothArea::of(const Panel& panel) const
     const Particle* const c = at(panel.c);
     if (!a || !b || !c)
         return 0.0;
-    if (m_isCut)
-        if (const auto flat = flatPanel(panel, a->position, b->position, c->position))
-            return flat->area();
-    return 0.5 * (b->position - a->position).cross(c->position - a->position).norm();
+    return cutArea(panel, a->position, b->position, c->position);
 }
 
 double ClothArea::whole() const

@@ -33,8 +33,8 @@ private:
     using Side = std::pair<Id, Id>; // the lower id first
     const Part& m_part;
     const Scene* m_scene;
-    bool m_isCut;                                   // panels carry the pull
-    std::vector<std::pair<Side, double>> m_lengths; // in ascending order of side
+    // In ascending order of side; none where panels carry the pull.
+    std::vector<std::pair<Side, double>> m_lengths;
 };
 
 } // namespace ripstop

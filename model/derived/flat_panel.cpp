@@ -41,6 +41,12 @@ std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3
                      {along * cosine + across * sine, across * cosine - along * sine}};
 }
 
+double cutArea(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const std::optional<FlatPanel> flat = flatPanel(panel, a, b, c);
+    return flat ? flat->area() : 0.5 * (b - a).cross(c - a).norm();
+}
+
 std::optional<std::array<double, 2>> warpShares(const Panel& panel, const Vec3& a, const Vec3& b,
                                                 const Vec3& c)
 {

@@ -27,6 +27,9 @@ struct FlatPanel
 // errors. Places of the corners in m.
 std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c);
 
+// m^2, of that shape; where there is none, of the triangle as it lies.
+double cutArea(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c);
+
 // How far along ab and along ac the warp runs: with these shares its way is
 //
 //     shares[0] (b - a) + shares[1] (c - a)

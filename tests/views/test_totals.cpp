@@ -31,6 +31,23 @@ private slots:
                  QString("Built by delta kite: segments 12, span 2 m. Change it with Insert > "
                          "Change parameters."));
     }
+
+    // However it is folded: of a canopy of 5 m, pi D0^2 / 4 = 19.63 m^2, by a polygon.
+    void saysHowMuchClothIsInFolds()
+    {
+        const Builder& parachute = *findBuilder("parachute");
+        const Scene scene = *build(parachute, newDesign(parachute, {{"mouth", 0.05}}));
+        std::vector<Id> part, panels;
+        forEachPart(scene, [&](Id id, const Part& row) {
+            part = {id};
+            for (const Panel& panel : row.panels)
+                panels.push_back(panel.id);
+        });
+        QCOMPARE(panels.size(), std::size_t(264));
+        for (const QString& said :
+             {totals(scene, Kind::Part, part), totals(scene, Kind::Panel, panels)})
+            QVERIFY2(said.contains(QString("19.63\u00a0m\u00b2")), qPrintable(said));
+    }
 };
 
 const RegisteredTest registered("test_totals", runWithWidgets<TestTotals>);

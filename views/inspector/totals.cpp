@@ -7,12 +7,11 @@
 #include "inspector/totals.h"
 
 #include "builders/builder.h"
+#include "derived/flat_panel.h"
 #include "document/spoken.h"
 #include "document/words.h"
 #include "select/net.h"
 #include "shaping/spread_mass.h"
-
-#include <Eigen/Geometry>
 
 #include <QLocale>
 
@@ -50,10 +49,10 @@ struct Sums
         ++(link.kind == LinkKind::Spring ? springs : rods);
         length += link.restLength;
     }
-    void add(const Vec3& a, const Vec3& b, const Vec3& c)
+    void add(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c)
     {
         ++panels;
-        area += 0.5 * (b - a).cross(c - a).norm();
+        area += cutArea(panel, a, b, c);
     }
     void add(const Scene& scene, const Part& part, const Panel& panel)
     {
@@ -68,7 +67,7 @@ struct Sums
         const Particle* b = corner(panel.b);
         const Particle* c = corner(panel.c);
         if (a && b && c)
-            add(a->position, b->position, c->position);
+            add(panel, a->position, b->position, c->position);
         else
             ++panels;
     }
@@ -236,7 +235,7 @@ void addAny(Sums& sums, const Scene& scene, const std::vector<Id>& elements)
     };
     for (std::size_t i = 0; i < marks.panels.size(); ++i)
         if (const auto& corners = net.corners[i]; marks.panels[i] && net.isWhole(corners))
-            sums.add(at(corners[0]), at(corners[1]), at(corners[2]));
+            sums.add(*net.all.panels[i], at(corners[0]), at(corners[1]), at(corners[2]));
 }
 
 } // namespace
