@@ -2,6 +2,7 @@
 // cells, and gives each link its width. A link is a side before it is a diagonal.
 #include "author/strip_widths.h"
 
+#include "derived/cloth_area.h"
 #include "derived/link_stiffness.h"
 #include "derived/panel_fabric.h"
 
@@ -30,6 +31,7 @@ class Strips
 public:
     Strips(const Part& part, const std::vector<Id>& materials)
         : m_part(part)
+        , m_cut(part)
     {
         for (const Link& link : part.links)
             if (std::ranges::count(materials, link.material) > 0 && !isOfFabric(link))
@@ -39,8 +41,7 @@ public:
             addSide(panel.a, panel.b, panel.c, i);
             addSide(panel.b, panel.c, panel.a, i);
             addSide(panel.c, panel.a, panel.b, i);
-            m_area.push_back(0.5
-                             * (at(panel.b) - at(panel.a)).cross(at(panel.c) - at(panel.a)).norm());
+            m_area.push_back(m_cut.of(panel));
         }
         countTies();
     }
@@ -75,7 +76,11 @@ private:
         const Particle* row = findRow(m_part.particles, particle);
         return row ? row->position : Vec3(Vec3::Zero()); // the check reports it
     }
-    double length(const ParticlePair& tie) const { return (at(tie.second) - at(tie.first)).norm(); }
+    double length(Id a, Id b) const
+    {
+        return m_cut.lengthOf(a, b).value_or((at(b) - at(a)).norm());
+    }
+    double length(const ParticlePair& tie) const { return length(tie.first, tie.second); }
 
     void addSide(Id a, Id b, Id opposite, std::size_t panel)
     {
@@ -170,13 +175,14 @@ private:
     };
     Cell cellAt(const ParticlePair& diagonal, const StripSide& side) const
     {
-        const Vec3 a = at(diagonal.first), b = at(side.opposite[0]), c = at(diagonal.second),
-                   d = at(side.opposite[1]);
-        return {0.5 * ((b - a).norm() + (d - c).norm()), 0.5 * ((c - b).norm() + (a - d).norm())};
+        const Id a = diagonal.first, b = side.opposite[0], c = diagonal.second,
+                 d = side.opposite[1];
+        return {0.5 * (length(a, b) + length(c, d)), 0.5 * (length(b, c) + length(d, a))};
     }
     static double widthIn(const Cell& cell) { return biasWidth(cell.first, cell.second); }
 
     const Part& m_part;
+    ClothArea m_cut;
     Links m_links; // that may become strips
     Sides m_sides;
     std::vector<double> m_area; // [panels] m^2

@@ -5,7 +5,7 @@
 // triangle's and half of a cell's. Two panels whose four corners are tied both ways are such a
 // cell: both ties are biases, of biasWidth() of its mean sides. A link between the corners opposite
 // to a side of two triangles is a bias of 8/3 (A + A') / D. Widths are areas over lengths, as the
-// scene has them.
+// cloth was cut (cloth_area.h): in folds it is no narrower.
 //
 // Links that have a width already, that lie along no panel, or that are of another material, such
 // as spars in a pocket, stay as they are.

@@ -25,9 +25,12 @@ public:
     double of(const Panel& panel) const; // m^2; 0 for a corner that is not found
     double whole() const;                // m^2, of all panels
 
+    // m, as cut: the rest length of the first link from a to b; nothing where there is none, or
+    // where panels carry the pull.
+    std::optional<double> lengthOf(Id a, Id b) const;
+
 private:
     std::optional<double> byLinks(const Panel& panel) const; // m^2
-    std::optional<double> lengthOf(Id a, Id b) const;        // m, of the first link there
     const Particle* at(Id particle) const;
 
     using Side = std::pair<Id, Id>; // the lower id first

@@ -46,9 +46,18 @@ class TestRemedy : public QObject
 
 private slots:
     // The builder of cloth knows the widths: q and p of threads inside, half of them at edges, and
-    // D^3 / (2 p q) of diagonals. Taken away, they come back from the mesh.
+    // D^3 / (2 p q) of diagonals. Taken away, they come back from the mesh, also where the cloth is
+    // gathered to a third of its width: it is as wide as it was cut.
+    void widthsOfWovenSheets_data()
+    {
+        QTest::addColumn<double>("gathered");
+        QTest::newRow("flat") << 1.0;
+        QTest::newRow("gathered") << 0.3;
+    }
+
     void widthsOfWovenSheets()
     {
+        QFETCH(double, gathered);
         Parameters parameters = sheet(4, 2, 0.3);
         parameters["columns"] = 6; // cells that are not square
         Scene woven = *build(*findBuilder("cloth"), parameters);
@@ -58,6 +67,8 @@ private slots:
             link.width = 0.0;
             link.cellAspect = 1.0;
         }
+        for (Particle& particle : partOf(bare).particles)
+            particle.position.x() *= gathered;
         const auto made = widthsFromMesh(bare, materialsOf(bare));
         QVERIFY(made);
         const Scene before = bare;
