@@ -81,6 +81,15 @@ double laidOut(const Parameters& p)
                                : p.at("diameter") * std::sqrt(gore / std::sin(gore));
 }
 
+// Length at the start over that of the cloth. A gore is shorter along its middle than along its
+// seams, and folded up between them it is sheared as well. With less than this, seams that are as
+// long as they were cut pull their cloth by a percent or two before anything has moved.
+double slackOfGores(double sectors)
+{
+    const double middle = std::cos(pi / sectors); // over the length of a seam
+    return middle * middle;
+}
+
 // Nodes of a polar mesh: node(0, ...) is the apex.
 class Canopy
 {
@@ -94,6 +103,7 @@ public:
         const double radius = 0.5 * diameter / angle;
         const bool folded = p.at("pressure") > 0.0;
         m_radius = folded ? 0.0 : radius;
+        const double slack = folded && !isIdeal(p, "cloth") ? slackOfGores(m_sectors) : 1.0;
         for (int ring = 0; ring <= m_rings; ++ring)
             for (int sector = 0; sector < (ring ? m_sectors : 1); ++sector) {
                 const double polar = angle * ring / m_rings;
@@ -106,8 +116,9 @@ public:
                 const Id node = network.particle(folded ? Vec3(along * out) : full);
                 network.texture(node, 0.5 + reach * out.x(), 0.5 + reach * out.z());
                 m_nodes.push_back(node);
-                m_start.push_back(
-                    p.at("mouth") > 0.0 ? tube(0.5 * p.at("mouth") * diameter, along, out) : full);
+                m_start.push_back(p.at("mouth") > 0.0
+                                      ? tube(0.5 * p.at("mouth") * diameter, slack * along, out)
+                                      : Vec3(slack * full));
             }
         m_resists = folded || !isIdeal(p, "cloth") ? Resists::Tension : Resists::Both;
     }

@@ -1,7 +1,7 @@
 // Parachutes and hang gliders of what one can buy fly: a canopy of cloth stays open by the air in
 // it alone, and all sink as such craft do, whatever their mesh and their cloth.
 //
-// Stages: the canopy that collapses, the one that opens, the cross; then the limit of stiff cloth,
+// Stages: the canopy that collapses, its start, the one that opens, the cross; then the limit of stiff cloth,
 // meshes, cloths, tubes that bend, the glider.
 #include "model/real_craft.h"
 #include "model/systems.h"
@@ -74,6 +74,30 @@ private slots:
         const double width = mouthWidth(scene, simulation);
         qInfo("%.2f m wide after 10 s, sinks at %.2f m/s", width, probe(simulation, "sink rate"));
         QVERIFY(width < 0.5 * 3.35);
+    }
+
+    // What nothing has pulled yet is not stretched, however it is cut, folded or full.
+    void startsUnstrained_data()
+    {
+        QTest::addColumn<double>("sectors");
+        QTest::addColumn<double>("rings");
+        for (const auto& [sectors, rings] : {std::pair(6.0, 3.0), {12.0, 4.0}, {24.0, 6.0}})
+            QTest::addRow("%.0f gores", sectors) << sectors << rings;
+    }
+
+    void startsUnstrained()
+    {
+        QFETCH(double, sectors);
+        QFETCH(double, rings);
+        for (const double mouth : {0.0, 0.05, 0.3, 0.6}) {
+            const Scene scene = craft("parachute", nylon({{"pressure", 1.68},
+                                                          {"mouth", mouth},
+                                                          {"sectors", sectors},
+                                                          {"rings", rings}}));
+            Simulation simulation(*compile(scene));
+            const double strain = probe(simulation, "max strain");
+            QVERIFY2(strain < 1e-9, told(strain, mouth));
+        }
     }
 
     // The air opens it from folds, and holds it as wide as round canopies are: 0.67 to 0.70 D0
