@@ -90,14 +90,16 @@ Json placesOf(const WorstPlaces& worst)
                           {"strength", place.strength},
                           {"unit", unitOf(place.kind)},
                           {"margin", place.margin()},
+                          {"torn", place.torn},
                           {"place", {place.place.x(), place.place.y(), place.place.z()}}});
     return places;
 }
 
-// Null where no material has a strength: then there is no margin to be near.
+// Null where no material has a strength: then there is no margin to be near. What has torn as a
+// whole has none any more, and a list of what tore.
 Json loadsOf(const Frame& frame)
 {
-    if (!hasMargins(frame))
+    if (!hasMargins(frame) && frame.worstOfRun.all().empty())
         return nullptr;
     return {{"moment", placesOf(frame.worstNow)}, {"run", placesOf(frame.worstOfRun)}};
 }
@@ -188,8 +190,10 @@ Json runReport(const Simulation& simulation, double wallSeconds)
     for (const Message& one : absurdities(simulation))
         result["absurd"].push_back(one.english());
     result["stopped"] = simulation.trouble().has_value();
-    if (simulation.trouble())
+    if (simulation.trouble()) {
         result["message"] = simulation.trouble()->message.english();
+        result["accuracy"]["met"] = false;
+    }
     if (interrupted())
         result["interrupted"] = true;
     return result;

@@ -30,7 +30,7 @@ void appendRows(std::string& text, const Scene& scene, const char* of,
             text += ',';
             appendNumber(text, value);
         }
-        text += '\n';
+        text += place.torn ? ",1\n" : ",0\n";
     }
 }
 
@@ -40,7 +40,7 @@ std::optional<Failure> writeLoads(const Scene& scene, const Frame& last,
                                   const std::filesystem::path& file)
 {
     std::string text = "of,rank,time (s),kind,element,part,load,strength,unit,margin,"
-                       "x (m),y (m),z (m)\n";
+                       "x (m),y (m),z (m),torn\n";
     appendRows(text, scene, "moment", last.worstNow.all());
     appendRows(text, scene, "run", last.worstOfRun.all());
     return replaceFile(file, text);

@@ -48,13 +48,16 @@ struct Strength
 
 struct LoadedPlace
 {
-    std::uint32_t element = 0; // id of a link or a panel; of a moment, of a link beside it
-    std::uint32_t whole = 0;   // id of the first link of its line or spar, or that of the element
+    std::uint32_t element = 0;  // id of a link or a panel; of a moment, of a link beside it
+    std::uint32_t whole = 0;    // id of the first link of its line or spar, or that of the element
+    std::uint32_t material = 0; // id, or 0 for none
+    std::array<std::uint32_t, 3> corners{}; // ids of the particles of a panel
     LoadKind kind = LoadKind::Line;
     double load = 0.0;         // N, N/m or N m, as the kind says
     double strength = 0.0;     // the same, above 0
     double time = 0.0;         // s
     Vec3 place = Vec3::Zero(); // m
+    bool torn = false;         // by this load
 
     double margin() const { return load / strength; } // 1
 
@@ -62,12 +65,15 @@ struct LoadedPlace
 };
 
 // The places that are loaded most for what they bear, the worst first, each with the most that it
-// was seen to bear. A line or spar of many links counts once for its pull and once for its moment,
-// or else one line would fill the list. Takes nothing from the heap.
+// was seen to bear. No place fills the list alone: a line or spar of many links counts once for its
+// pull and once for its moment, of panels with a corner in common the worst stands for all, and of
+// one material and kind, as the lines of a canopy are, there are three. Takes nothing from the
+// heap.
 class WorstPlaces
 {
 public:
     static constexpr std::size_t most = 10;
+    static constexpr std::size_t mostAlike = 3; // of one material and kind
 
     std::span<const LoadedPlace> all() const { return std::span(m_places).first(m_count); }
 
@@ -80,16 +86,28 @@ public:
     {
         if (!wants(place.margin()))
             return;
-        const auto begin = m_places.begin();
-        const auto end = begin + std::ptrdiff_t(m_count);
-        auto at = std::find_if(begin, end, [&](const LoadedPlace& held) {
-            return held.whole == place.whole && held.kind == place.kind;
-        });
-        if (at != end && at->margin() >= place.margin())
+        const auto isSame = [&](const LoadedPlace& held) { return areOne(held, place); };
+        const auto isWorse = [&](const LoadedPlace& held) {
+            return held.margin() >= place.margin();
+        };
+        const auto held = std::span(m_places).first(m_count);
+        if (std::ranges::any_of(held, [&](const auto& one) { return isSame(one) && isWorse(one); }))
             return;
-        if (at == end)
-            at = m_count < most ? begin + std::ptrdiff_t(m_count++) : end - 1;
-        for (; at != begin && (at - 1)->margin() < place.margin(); --at)
+        const auto isAlike = [&](const LoadedPlace& one) {
+            return one.material == place.material && one.kind == place.kind && !isSame(one);
+        };
+        const bool isFull = std::size_t(std::ranges::count_if(held, isAlike)) == mostAlike;
+        if (isFull && std::ranges::all_of(held, [&](const auto& one) {
+                return !isAlike(one) || isWorse(one);
+            }))
+            return;
+        std::size_t kept = 0, alike = 0;
+        for (const LoadedPlace& one : held)
+            if (!isSame(one) && !(isFull && isAlike(one) && ++alike == mostAlike))
+                m_places[kept++] = one;
+        m_count = std::min(kept + 1, most);
+        auto at = m_places.begin() + std::ptrdiff_t(m_count) - 1;
+        for (; at != m_places.begin() && (at - 1)->margin() < place.margin(); --at)
             *at = *(at - 1);
         *at = place;
     }
@@ -97,6 +115,15 @@ public:
     void forget() { m_count = 0; }
 
 private:
+    static bool areOne(const LoadedPlace& a, const LoadedPlace& b)
+    {
+        if (a.kind != b.kind)
+            return false;
+        return a.whole == b.whole || std::ranges::any_of(a.corners, [&](std::uint32_t corner) {
+                   return corner != 0 && std::ranges::count(b.corners, corner) > 0;
+               });
+    }
+
     std::array<LoadedPlace, most> m_places;
     std::size_t m_count = 0;
 };

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ripstop {
 namespace {
@@ -115,6 +116,57 @@ void forEachLoad(const System& system, const State& state, const JudgedPlaces& j
         const Bend& bend = system.of<BendLists>().list[std::size_t(i)];
         visit(Loaded{LoadKind::Spar, bendingMoment(system, state, bend), strength, bend.of});
     }
+}
+
+// What a place bore that tore, and its strength; nothing of what has none.
+std::optional<Loaded> loadedLink(const State::Tear& tear, const JudgedPlaces& judged)
+{
+    const auto isIt = [&](int link) { return judged.linkName[std::size_t(link)] == tear.element; };
+    for (const auto& [i, kind, width, strength] : judged.links)
+        if (isIt(i))
+            return Loaded{kind, tear.force / width, strength, {i, i}};
+    return std::nullopt;
+}
+
+std::optional<Loaded> loadedSpar(const System& system, const State::Tear& tear,
+                                 const JudgedPlaces& judged)
+{
+    for (const auto& [i, strength] : judged.spars) {
+        const std::array<int, 2>& of = system.of<BendLists>().list[std::size_t(i)].of;
+        for (const int link : of)
+            if (judged.linkName[std::size_t(link)] == tear.element)
+                return Loaded{LoadKind::Spar, tear.force, strength, {link, link}};
+    }
+    return std::nullopt;
+}
+
+// The force is of the threads that broke. Which these were follows from the strength, the larger
+// one of those that were too small.
+std::optional<Loaded> loadedPanel(const System& system, const State::Tear& tear,
+                                  const JudgedPlaces& judged)
+{
+    for (const JudgedPlaces::OfPanel& panel : judged.panels) {
+        const int number = system.membranes[std::size_t(panel.membrane)].panel;
+        if (system.panelKey[std::size_t(number)] != tear.element)
+            continue;
+        const double larger = std::max(panel.warp, panel.weft);
+        const bool isLarger = tear.force >= larger * system.safetyFactor;
+        return Loaded{LoadKind::Cloth,
+                      tear.force,
+                      isLarger ? larger : weaker(panel.warp, panel.weft),
+                      {number, number},
+                      true};
+    }
+    return std::nullopt;
+}
+
+std::optional<Loaded> loadedOnce(const System& system, const State::Tear& tear,
+                                 const JudgedPlaces& judged)
+{
+    if (tear.length == 0.0) // a spar has snapped
+        return loadedSpar(system, tear, judged);
+    const std::optional<Loaded> link = loadedLink(tear, judged);
+    return link ? link : loadedPanel(system, tear, judged);
 }
 
 Vec3 middleOf(const System& system, const State& state, const Loaded& loaded)
@@ -260,6 +312,29 @@ Margins margins(const System& system, const State& state)
     return result;
 }
 
+namespace {
+
+LoadedPlace placeOf(const System& system, const JudgedPlaces& judged, const Loaded& loaded)
+{
+    const auto of = std::size_t(loaded.of[0]);
+    const Key element = loaded.isPanel ? system.panelKey[of] : judged.linkName[of];
+    const bool isOfLine = loaded.kind == LoadKind::Line || loaded.kind == LoadKind::Spar;
+    LoadedPlace place;
+    place.element = element;
+    place.whole = isOfLine ? judged.lineName[of] : element;
+    place.material = loaded.isPanel ? system.materialAir[std::size_t(system.panels[of].air)].key
+                                    : stuffOf(system, loaded.of[0]).material;
+    if (loaded.isPanel)
+        for (std::size_t k = 0; k < 3; ++k)
+            place.corners[k] = system.key[std::size_t(system.panels[of].corner[k])];
+    place.kind = loaded.kind;
+    place.load = loaded.load;
+    place.strength = loaded.strength;
+    return place;
+}
+
+} // namespace
+
 void offerPlaces(const System& system, const State& state, const JudgedPlaces& judged,
                  WorstPlaces& worst)
 {
@@ -267,12 +342,24 @@ void offerPlaces(const System& system, const State& state, const JudgedPlaces& j
     forEachLoad(system, state, judged, matters, [&](const Loaded& loaded) {
         if (!matters(loaded.margin()))
             return;
-        const auto of = std::size_t(loaded.of[0]);
-        const Key element = loaded.isPanel ? system.panelKey[of] : judged.linkName[of];
-        const bool isOfLine = loaded.kind == LoadKind::Line || loaded.kind == LoadKind::Spar;
-        worst.offer({element, isOfLine ? judged.lineName[of] : element, loaded.kind, loaded.load,
-                     loaded.strength, state.time, middleOf(system, state, loaded)});
+        LoadedPlace place = placeOf(system, judged, loaded);
+        place.time = state.time;
+        place.place = middleOf(system, state, loaded);
+        worst.offer(place);
     });
+}
+
+void offerTears(const System& system, std::span<const State::Tear> tears,
+                const JudgedPlaces& judged, WorstPlaces& worst)
+{
+    for (const State::Tear& tear : tears)
+        if (const std::optional<Loaded> loaded = loadedOnce(system, tear, judged)) {
+            LoadedPlace place = placeOf(system, judged, *loaded);
+            place.time = tear.time;
+            place.place = tear.place;
+            place.torn = true;
+            worst.offer(place);
+        }
 }
 
 } // namespace ripstop

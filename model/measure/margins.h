@@ -61,8 +61,13 @@ struct JudgedPlaces
 
 JudgedPlaces judgedPlacesOf(const System& system);
 
-// Offers all places, as they are loaded at the time of the state. Takes nothing from the heap.
+// Offers all places, as they are loaded at the time of the state. Takes nothing from the heap, and
+// neither does offerTears().
 void offerPlaces(const System& system, const State& state, const JudgedPlaces& judged,
                  WorstPlaces& worst);
+
+// Offers what tore, by what it bore then, as it bears nothing afterwards.
+void offerTears(const System& system, std::span<const State::Tear> tears,
+                const JudgedPlaces& judged, WorstPlaces& worst);
 
 } // namespace ripstop

@@ -21,9 +21,10 @@ std::vector<ElementFactors> factorsOf(const System& system)
 
 } // namespace
 
-void LoadWatch::look(const System& system, const State& state)
+void LoadWatch::look(const System& system, const State& state, std::size_t tearsBefore)
 {
     prepare(system, state);
+    offerTears(system, std::span(state.tears).subspan(tearsBefore), m_judged, m_ofRun);
     offerPlaces(system, state, m_judged, m_ofRun);
 }
 

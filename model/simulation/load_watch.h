@@ -25,7 +25,8 @@ public:
     void edited() { m_isKnown = false; }
 
     // After each step.
-    void look(const System& system, const State& state);
+    //   tearsBefore  it, of the state
+    void look(const System& system, const State& state, std::size_t tearsBefore);
 
     // Of the instant, without noting it.
     WorstPlaces now(const System& system, const State& state);

@@ -4,6 +4,7 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/margins.h"
+#include "model/chain.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "registered_test.h"
@@ -20,63 +21,6 @@ namespace ripstop::test_margins {
 namespace {
 
 constexpr double g = standardGravity; // m/s^2
-
-// Particles along a way, each linked with the next; the first `pinned` of them hold still.
-struct Chain
-{
-    Scene scene;
-    Id part{};
-    Id material{};
-
-    Chain(const std::vector<Vec3>& places, int pinned, double mass, const Material& made,
-          const Link& like = {})
-    {
-        material = takeId(scene);
-        scene.items.push_back({material, made});
-        part = takeId(scene);
-        Part row;
-        for (std::size_t i = 0; i < places.size(); ++i)
-            row.particles.push_back({.id = takeId(scene),
-                                     .position = places[i],
-                                     .mass = mass,
-                                     .pinned = int(i) < pinned});
-        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-            Link link = like;
-            link.id = takeId(scene);
-            link.from = row.particles[i].id;
-            link.to = row.particles[i + 1].id;
-            link.material = material;
-            link.kind = LinkKind::Rod;
-            link.restLength = (places[i + 1] - places[i]).norm();
-            row.links.push_back(link);
-        }
-        scene.items.push_back({part, row});
-        scene.settings.airDensity = 0.0;
-        scene.settings.viscosity = 20.0;
-    }
-
-    Part& row() { return std::get<Part>(scene.items[1].item); }
-    Material& stuff() { return std::get<Material>(scene.items[0].item); }
-
-    std::shared_ptr<const Frame> after(double seconds) const
-    {
-        const auto system = compile(scene);
-        if (!system)
-            qFatal("%s", system.message().english().c_str());
-        Simulation simulation(*system);
-        simulation.runUntil(seconds);
-        return simulation.frame();
-    }
-};
-
-Material line(std::optional<double> strength)
-{
-    Material material;
-    material.axialStiffness = 1e4;
-    material.dampingTime = 0.02;
-    material.lineStrength = strength;
-    return material;
-}
 
 void addProbe(Scene& scene, Quantity quantity)
 {
@@ -430,7 +374,11 @@ private slots:
             const std::uint32_t element = 1 + (random >> 16) % 40;
             const double load = double((random >> 8) % 1009);
             most[element] = std::max(most[element], load);
-            worst.offer({element, element, LoadKind::Line, load, 100.0, 0.0, Vec3::Zero()});
+            LoadedPlace place;
+            place.element = place.whole = place.material = element;
+            place.load = load;
+            place.strength = 100.0;
+            worst.offer(place);
         }
         std::vector<double> sorted;
         for (const auto& [element, load] : most)
@@ -440,6 +388,43 @@ private slots:
         for (std::size_t i = 0; i < WorstPlaces::most; ++i) {
             QCOMPARE(worst.all()[i].margin(), sorted[i]);
             QCOMPARE(worst.all()[i].load, most[worst.all()[i].element]);
+        }
+    }
+
+    // Of 24 lines that bear alike three stand in the list, and of panels around a point the worst,
+    // in whatever order they are offered.
+    void noPlaceFillsTheList()
+    {
+        std::vector<LoadedPlace> places;
+        for (std::uint32_t i = 0; i < 24; ++i) {
+            LoadedPlace line;
+            line.element = line.whole = 100 + i;
+            line.material = 1;
+            line.load = 50.0 + i;
+            line.strength = 100.0;
+            places.push_back(line);
+        }
+        for (std::uint32_t i = 0; i < 6; ++i) { // a fan around particle 500, and one further off
+            LoadedPlace panel;
+            panel.element = panel.whole = 200 + i;
+            panel.material = 2;
+            panel.kind = LoadKind::Cloth;
+            panel.corners =
+                i < 5 ? std::array{500u, 501u + i, 502u + i} : std::array{600u, 601u, 602u};
+            panel.load = 90.0 - i;
+            panel.strength = 100.0;
+            places.push_back(panel);
+        }
+        std::minstd_rand random(3);
+        for (int i = 0; i < 50; ++i) {
+            std::ranges::shuffle(places, random);
+            WorstPlaces worst;
+            for (const LoadedPlace& place : places)
+                worst.offer(place);
+            QStringList elements;
+            for (const LoadedPlace& place : worst.all())
+                elements << QString::number(place.element);
+            QCOMPARE(elements.join(' '), QStringLiteral("200 205 123 122 121"));
         }
     }
 };

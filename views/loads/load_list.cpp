@@ -83,7 +83,8 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         QTreeWidgetItem& item = *topLevelItem(row);
         item.setText(Margin, spokenText(place.margin(), {}, digits));
         item.setIcon(Margin, signOf(place.margin()));
-        item.setText(Place, placeWords(scene, Id{place.element}));
+        const QString words = placeWords(scene, Id{place.element});
+        item.setText(Place, place.torn ? tr("%1: torn").arg(words) : words);
         item.setData(Place, Qt::UserRole, place.element);
         item.setSelected(held != 0 && place.element == held);
         item.setToolTip(Place, describe(scene, {Id{place.element}}));
