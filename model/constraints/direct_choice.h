@@ -40,6 +40,7 @@
 
 #include "system/system.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -54,5 +55,12 @@ std::vector<int> rodsOfFlyingFabric(const System& system);
 
 // All rods of the networks that have a rod like this, whatever their size.
 std::vector<int> rodsOfNetworks(const System& system, const std::function<bool(const Rod&)>& isOne);
+
+// m/s^2, by which weights stand for the loads of a design; that of the earth at least, since wind
+// loads what floats in space, too.
+inline double loadingGravity(const System& system)
+{
+    return std::max(system.gravity.norm(), 9.80665);
+}
 
 } // namespace ripstop

@@ -4,6 +4,7 @@
 // factorised, iterated, or either, analyses its pattern and finds islands that nothing holds.
 // refresh() reads changed numbers and prepares anew only where more than numbers has changed.
 // soften() follows the substep.
+#include "constraints/direct_choice.h"
 #include "constraints/direct_solver.h"
 #include "constraints/guides.h"
 #include "constraints/rod_damping.h"
@@ -329,7 +330,7 @@ double DirectSolver::pullsThatMatter(const System& system) const
     if (softness == std::numeric_limits<double>::max())
         return 0.0;
     const double mass = std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
-    const double pull = shareOfWeight * mass * system.gravity.norm() * m_h * m_h; // kg m
+    const double pull = shareOfWeight * mass * loadingGravity(system) * m_h * m_h; // kg m
     return softness * pull * pull;
 }
 

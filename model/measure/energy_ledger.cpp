@@ -112,6 +112,7 @@ void EnergyLedger::afterSubstep(const System& system, const State& state, double
     m_work.damping += 0.5 * h * (m_before.damping + m_after.damping);
     m_work.damping += workOfDampers(system, state, h);
     addWorkOfHands(system, state, h);
+    m_work.hands += workOnPanels(system, state, h);
     m_contact.clear();
     std::swap(m_before, m_after);
 }
@@ -147,6 +148,33 @@ void EnergyLedger::addWorkOfHands(const System& system, const State& state, doub
                 force->workOfPins(system, state, {m_before.position, m_before.velocity});
             m_work.hands += force->workSince(system, state, h);
         }
+}
+
+// J, by what moves their pinned corners in a substep.
+double EnergyLedger::workOnPanels(const System& system, const State& state, double h) const
+{
+    double work = 0.0;
+    for (const Membrane& membrane : system.membranes) {
+        const std::array<int, 3>& corner = system.panels[at(membrane.panel)].corner;
+        Corners way;
+        bool moves = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t p = at(corner[k]);
+            const bool isPin = system.inverseMass[p] == 0.0;
+            way[k] = isPin ? Vec3(m_after.position[p] - m_before.position[p]) : Vec3(Vec3::Zero());
+            moves |= !way[k].isZero(0.0);
+        }
+        if (!moves || state.panelGone[at(membrane.panel)])
+            continue;
+        const Corners from = cornersOf(system, membrane, m_before.position);
+        const Corners to = cornersOf(system, membrane, m_after.position);
+        const Corners first = pullsOnCorners(system, membrane, from);
+        const Corners last = pullsOnCorners(system, membrane, to);
+        const Corners damping = dampingPulls(system, membrane, from, to, h);
+        for (std::size_t k = 0; k < 3; ++k)
+            work -= (0.5 * (first[k] + last[k]) + damping[k]).dot(way[k]);
+    }
+    return work;
 }
 
 // J, by what moves their pinned ends and changes their lengths.

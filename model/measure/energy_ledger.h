@@ -12,7 +12,8 @@
 // is what integrator and projection have made (above 0) or lost: the drift of energy that Hairer,
 // Lubich and Wanner 2006, chapter IX, judge integrators by, for systems that are driven and damped.
 //
-// Limits: rods pull at what is moved with their mean tension over the step, bending is not asked
+// Limits: rods pull at what is moved with their mean tension over the step, panels with the mean of
+// both ends of the substep and the damping of their way between them, bending is not asked
 // about, and neither is a control that moves what is not pinned. Energy that an edit brings is no
 // part of it.
 #pragma once
@@ -54,6 +55,7 @@ private:
     void addWorkOfHands(const System& system, const State& state, double h);
     double workOfDampers(const System& system, const State& state, double h) const;
     double workOnRods(const System& system, const State& state) const;
+    double workOnPanels(const System& system, const State& state, double h) const;
 
     ThreadPool m_alone{1};
     Forces m_forces;

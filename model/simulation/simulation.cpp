@@ -244,12 +244,14 @@ bool Simulation::Private::step()
     const int substeps = stepper.step(system(), run.now);
     if (keepsLedger)
         ledger.end(system(), run.now);
-    noteAccuracy();
     trouble = findTrouble(system(), run.lastGood, run.now, substeps);
     if (trouble) {
+        ++accuracy.steps; // of which nothing else is true
+        ++accuracy.missed;
         std::swap(run.now, run.lastGood);
     } else {
-        loads.look(system(), run.now);
+        noteAccuracy();
+        loads.look(system(), run.now, tears);
         derived.followTears(tears, run);
     }
     return !trouble;

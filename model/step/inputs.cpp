@@ -25,6 +25,38 @@ bool moveInputs(const System& system, State& state, double h)
     return changed;
 }
 
+void PinWays::reserve(const System& system)
+{
+    std::size_t targets = 0;
+    for (const Input& input : system.inputs)
+        targets += input.targets.size();
+    m_pins.reserve(targets);
+}
+
+void PinWays::note(const System& system, const State& state)
+{
+    m_pins.clear();
+    for (const Input& input : system.inputs)
+        if (input.kind == ControlKind::Move)
+            for (const int target : input.targets)
+                if (const auto p = std::size_t(target); system.inverseMass[p] == 0.0)
+                    m_pins.push_back({p, state.position[p], state.drift[p]});
+}
+
+void PinWays::lookBack(State& state, std::span<PaddedVec3> before) const
+{
+    for (const auto& [particle, place, drift] : m_pins) {
+        before[particle] = place;
+        state.drift[particle] = drift;
+    }
+}
+
+void PinWays::keep(State& state, std::span<const PaddedVec3> before, double h) const
+{
+    for (const auto& [particle, place, drift] : m_pins)
+        state.drift[particle] = (state.position[particle] - before[particle]) / h;
+}
+
 void moveCarried(State& state, double h)
 {
     constexpr double lag = 0.05;          // s

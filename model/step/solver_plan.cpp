@@ -27,7 +27,6 @@ constexpr int mostSubsteps = 2000;
 constexpr double safety = 1.5;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
 constexpr double slowBends = 2.0;         // time steps that what bends is stable for
-constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
 constexpr double manySubsteps = 100.0;    // in 10 ms
 constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network
 constexpr double manyForPull = 40.0;
@@ -82,7 +81,7 @@ struct Worst
 Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
 {
     Networks networks(system);
-    const double pull = 2.0 * std::max(system.gravity.norm(), leastGravity);
+    const double pull = 2.0 * loadingGravity(system);
     const auto loadAt = [&](int p, int other) {
         const double w = system.inverseMass[std::size_t(p)];
         const bool holds = bears(system, p);

@@ -105,6 +105,7 @@ void Stepper::prepare(const System& system, State& state)
                                 + system.membranes.size()
                                 + system.of<BendLists>().ofSpars().size());
     m_lanes.reserve(m_forces.size());
+    m_pinWays.reserve(system);
     for (const auto& force : m_forces)
         force->prepare(system, state);
     m_tears = state.tears.size();
@@ -202,6 +203,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     const bool isBdf2 = m_integrator == Integrator::Bdf2;
     beginMoves(system, state, state.time - h, m_placed);
     moveCarried(state, h);
+    m_pinWays.note(system, state);
     if (moveInputs(system, state, h)) {
         shiftRestLengths(system, state, m_restLength);
         task.shifted = true;
@@ -227,6 +229,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (m_integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
     move(ParticlePass::Predict, system, state, h);
+    m_pinWays.lookBack(state, m_before);
     m_clock.lap(StepStage::Motion);
     noteRodLengths(system, state);
     m_clock.lap(StepStage::Tearing);
@@ -234,6 +237,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (solvesContact(system))
         task.contacts = &search;
     project(task, state, h);
+    m_pinWays.keep(state, m_before, h);
     m_clock.lap(StepStage::Rods);
     const bool impact = isBdf2 && m_rods.hasImpact();
     if (impact && state.driftSubstep == h)

@@ -13,6 +13,7 @@
 #include "forces/forces.h"
 #include "parallel/thread_pool.h"
 #include "step/accuracy.h"
+#include "step/inputs.h"
 #include "step/particle_motion.h"
 #include "step/solver_plan.h"
 #include "step/step_times.h"
@@ -105,6 +106,7 @@ private:
     PlanFor m_planFor;
     Integrator m_integrator = Integrator::SemiImplicitEuler; // of this step; any but Auto
     StepAccuracy m_accuracy;
+    PinWays m_pinWays;
     FabricContact m_fabric;
     Forces m_forces;
     std::vector<Lane> m_lanes;              // of the forces that act now

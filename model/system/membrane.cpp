@@ -68,10 +68,12 @@ ClothTension tensionIn(const System& system, const Membrane& membrane, const Cor
     return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
 }
 
-// The slope of A w(e), e1 and e2 being half of the squares of the axes and g their product.
-Corners pullsOnCorners(const System& system, const Membrane& membrane, const Corners& corners)
+namespace {
+
+// N, of a tension: the slope of A w(e), e1 and e2 being half of the squares of the axes and g their
+// product.
+Corners pullsOf(const Membrane& membrane, const Corners& corners, const Vec3& tension)
 {
-    const Vec3 tension = tensionIn(system, membrane, corners).tension;
     const auto [warp, weft] = axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]);
     Corners pulls;
     for (int i = 0; i < 3; ++i) {
@@ -81,6 +83,33 @@ Corners pullsOnCorners(const System& system, const Membrane& membrane, const Cor
                                    + (tension[1] * alongWeft + tension[2] * alongWarp) * weft);
     }
     return pulls;
+}
+
+// N/m, what damping adds as the panel goes from one place to another within h, s.
+Vec3 dampingTension(const ClothLaw& law, const Membrane& membrane, const Corners& from,
+                    const Corners& to, double h)
+{
+    const Vec3 change =
+        pullingStrain(law, strainAt(membrane, to)) - pullingStrain(law, strainAt(membrane, from));
+    ClothLaw straight = law;
+    straight.pushes = true;
+    return law.dampingTime / h * tensionOf(straight, change).tension;
+}
+
+} // namespace
+
+Corners pullsOnCorners(const System& system, const Membrane& membrane, const Corners& corners)
+{
+    return pullsOf(membrane, corners, tensionIn(system, membrane, corners).tension);
+}
+
+Corners dampingPulls(const System& system, const Membrane& membrane, const Corners& from,
+                     const Corners& to, double h)
+{
+    const ClothLaw law = lawOf(system, membrane);
+    const bool isDamped = law.isElastic() && law.dampingTime > 0.0;
+    return pullsOf(membrane, to,
+                   isDamped ? dampingTension(law, membrane, from, to, h) : Vec3(Vec3::Zero()));
 }
 
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)

@@ -57,6 +57,10 @@ ClothTension tensionIn(const System& system, const Membrane& membrane, const Cor
 // N, on its corners, likewise.
 Corners pullsOnCorners(const System& system, const Membrane& membrane, const Corners& corners);
 
+// N, on its corners, of its damping as it goes from one place to another within h, s.
+Corners dampingPulls(const System& system, const Membrane& membrane, const Corners& from,
+                     const Corners& to, double h);
+
 // What it carries in the numbers that people read.
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners);
 
