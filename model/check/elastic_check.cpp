@@ -56,12 +56,19 @@ void checkTear(const Part& part, Id id, const Material& material, const AddFindi
 void checkMaterial(const Part& part, Id partId, Id id, const Material* material,
                    const AddFinding& add)
 {
-    if (!material || !material->membraneStiffness) {
+    if (!material) {
+        add("limp", Severity::Warning,
+            Message("Panels of %1 are to carry its pull and have no material: they carry nothing.",
+                    part.name),
+            partId);
+        return;
+    }
+    if (!material->membraneStiffness) {
         add("limp", Severity::Warning,
             Message("Panels of %1 are to carry its pull, and %2 has no membrane stiffness: they "
                     "carry nothing.",
-                    part.name, material ? Message::word(material->name) : Message("no material")),
-            material ? id : partId);
+                    part.name, material->name),
+            id);
         return;
     }
     checkTear(part, id, *material, add);

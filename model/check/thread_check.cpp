@@ -1,9 +1,10 @@
-// One finding for each material of a part, which names its longest cells.
+// One finding of a kind for each material of a part, which names its longest cells.
 #include "check/thread_check.h"
 
 #include "derived/link_stiffness.h"
 #include "derived/panel_fabric.h"
 
+#include <algorithm>
 #include <map>
 
 namespace ripstop {
@@ -15,6 +16,25 @@ bool followsMaterial(const Link& link)
 {
     return link.role == LinkRole::Thread && isOfFabric(link)
            && !(link.kind == LinkKind::Rod ? link.compliance : link.stiffness);
+}
+
+// A thread does not say whether it is warp or weft.
+void checkWeft(const Part& part, const Link& thread, const Material& material,
+               const AddFinding& add)
+{
+    if (!material.membraneStiffness || !material.weftStiffness)
+        return;
+    const double warp = *material.membraneStiffness;
+    const double weft = *material.weftStiffness;
+    if (std::max(warp, weft) <= noticed * std::min(warp, weft))
+        return;
+    add("weft", Severity::Warning,
+        Message("Threads of %1 pull with the membrane stiffness of %2, %3, whichever way they run; "
+                "its weft stiffness of %4 is not used. Have panels carry the pull, which know warp "
+                "and weft.",
+                part.name, material.name, Message::number("%.0f N/m", warp),
+                Message::number("%.0f N/m", weft)),
+        thread.id);
 }
 
 } // namespace
@@ -31,6 +51,8 @@ void checkThreads(const Scene& scene, const AddFinding& add)
             }
         for (const auto& [id, link] : longest) {
             const auto* const material = findItem<Material>(scene, id);
+            if (material)
+                checkWeft(part, *link, *material, add);
             const auto modulus =
                 material ? fabricModulus(*material, link->cellAspect) : std::nullopt;
             if (!modulus || *modulus <= noticed * *material->membraneStiffness)

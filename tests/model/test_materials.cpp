@@ -96,6 +96,24 @@ private slots:
         QCOMPARE(warnings(30, 10), 1);
     }
 
+    // Sail Dacron is softer along its weft, ripstop is alike both ways.
+    void tellsWhereThreadsKnowNoWeft()
+    {
+        const auto warnings = [](std::optional<double> weft) {
+            Scene scene = *build(*findBuilder("cloth"), sheet(4, 2, 0.3));
+            for (Entry& entry : scene.items)
+                if (Material* material = std::get_if<Material>(&entry.item))
+                    material->weftStiffness = weft;
+            return std::ranges::count_if(problemsOf(scene), [](const Finding& finding) {
+                return finding.message.english().find("weft stiffness of") != std::string::npos;
+            });
+        };
+        QCOMPARE(warnings(std::nullopt), 0);
+        QCOMPARE(warnings(membrane), 0);
+        QCOMPARE(warnings(0.65 * membrane), 1);
+        QCOMPARE(warnings(1.5 * membrane), 1);
+    }
+
     void whatALinkSaysItselfWins()
     {
         Scene scene = *build(*findBuilder("cloth"), sheet(2, 2, 0.3));

@@ -1,8 +1,8 @@
 // Parachutes and hang gliders of what one can buy fly: a canopy of cloth stays open by the air in
 // it alone, and all sink as such craft do, whatever their mesh and their cloth.
 //
-// Stages: the canopy that collapses, its start, the one that opens, the cross; then the limit of stiff cloth,
-// meshes, cloths, tubes that bend, the glider.
+// Stages: the canopy that collapses, its start, the one that opens, the cross; then the limit of
+// stiff cloth, meshes, cloths, tubes that bend, the glider.
 #include "model/real_craft.h"
 #include "model/systems.h"
 #include "registered_test.h"

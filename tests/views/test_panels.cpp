@@ -195,6 +195,28 @@ private slots:
         QVERIFY(!find(bench.document.scene(), Id{5}));
     }
 
+    // Without its material a design has no strength: that is asked, too, but not where all that is
+    // made of it goes as well.
+    void deletingAMaterialSaysWhatIsMadeOfIt()
+    {
+        Bench bench(oneOfEverything());
+        Outline outline(bench.document, bench.selection);
+        QStringList questions;
+        outline.confirm = [&](const QString& question) {
+            questions << question;
+            return false;
+        };
+        bench.selection.set({Id{9}});
+        outline.removeSelected();
+        QCOMPARE(questions.size(), 1);
+        QVERIFY(questions.first().contains("3 links"));
+        QVERIFY(find(bench.document.scene(), Id{9}));
+        bench.selection.set({Id{1}, Id{9}, Id{10}});
+        outline.removeSelected();
+        QCOMPARE(questions.size(), 1);
+        QVERIFY(!find(bench.document.scene(), Id{9}));
+    }
+
     void problemsLeadToTheirCulprit()
     {
         Bench bench(fallingPair());

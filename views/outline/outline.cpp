@@ -79,6 +79,21 @@ std::vector<Id> madeOf(const Scene& scene, const std::vector<Id>& materials)
     return result;
 }
 
+// The same, but for what goes with its material, as all of a design that is deleted does.
+ElementCounts countMadeOf(const Scene& scene, const std::vector<Id>& ids)
+{
+    ElementCounts counts;
+    const auto goes = [&](Id id) { return std::ranges::binary_search(ids, id); };
+    forEachPart(scene, [&](Id part, const Part& row) {
+        if (goes(part))
+            return;
+        const auto isMadeOf = [&](const auto& one) { return goes(one.material) && !goes(one.id); };
+        counts.links += std::size_t(std::ranges::count_if(row.links, isMadeOf));
+        counts.panels += std::size_t(std::ranges::count_if(row.panels, isMadeOf));
+    });
+    return counts;
+}
+
 } // namespace
 
 Outline::Outline(Document& document, Selection& selection, QWidget* parent)
@@ -136,7 +151,9 @@ void Outline::buildTree()
     m_tree->setModel(m_filter);
     m_tree->setHeaderHidden(true);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+    // A second click on what is selected must not take the next key for a name.
+    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_tree->setExpandsOnDoubleClick(false);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setUniformRowHeights(true);
     m_tree->setFrameShape(QFrame::NoFrame);
@@ -209,12 +226,19 @@ void Outline::removeSelected()
     if (ids.empty())
         return;
     Edit edit = removal(m_document.scene(), ids);
-    if (const QString others = countsOf(alsoRemoved(ids, edit)); !others.isEmpty())
-        if (!confirm(tr("Delete %1, and with it what hangs on it: %2?")
-                         .arg(describe(m_document.scene(), ids), others)))
+    const QString named = describe(m_document.scene(), ids);
+    if (const QString others = countsOf(alsoRemoved(ids, edit)); !others.isEmpty()) {
+        if (!confirm(tr("Delete %1, and with it what hangs on it: %2?").arg(named, others)))
             return;
+    } else if (const QString made = countsOf(countMadeOf(m_document.scene(), ids));
+               !made.isEmpty()) {
+        if (!confirm(tr("Delete %1? What is made of it, %2, has then neither stiffness nor "
+                        "strength of its own.")
+                         .arg(named, made)))
+            return;
+    }
     edit.label =
-        Message::verbatim(tr("Remove %1").arg(describe(m_document.scene(), ids)).toStdString());
+        Message::verbatim(tr("Remove %1").arg(named).toStdString());
     m_document.push(std::move(edit));
 }
 
