@@ -11,6 +11,7 @@
 
 #include "base/quantity.h"
 #include "check/elastic_check.h"
+#include "check/flutter_check.h"
 #include "check/network_check.h"
 #include "check/step_limits.h"
 #include "check/tear_check.h"
@@ -99,6 +100,7 @@ public:
         gaps();
         checkTearing(m_scene, adding());
         checkThreads(m_scene, adding());
+        checkFlutter(m_scene, adding());
         checkUnknownItems(m_scene, adding());
         if (!hasParticles(m_scene))
             add("empty", Severity::Warning,

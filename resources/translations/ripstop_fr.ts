@@ -2012,6 +2012,11 @@
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
+        <source>Panels of %1 are to carry its pull and have no material: they carry nothing.</source>
+        <translation>Les panneaux de %1 doivent porter sa traction et n’ont pas de matériau : ils ne portent rien.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
         <source>Panels of %1 are to carry its pull, and %2 has no membrane stiffness: they carry nothing.</source>
         <translation>Les panneaux de %1 doivent porter sa traction, et %2 n’a pas de raideur de membrane : ils ne portent rien.</translation>
     </message>
@@ -2039,11 +2044,6 @@
         <location filename="elastic_check.cpp"/>
         <source>Tears in panels of %1 go on by its strengths: %2 tears by energy and has no tear strength. Type it, or choose strength.</source>
         <translation>Les déchirures des panneaux de %1 avancent selon ses résistances : %2 cède par énergie et n’a pas de résistance à la déchirure. Saisissez-la, ou choisissez strength.</translation>
-    </message>
-    <message>
-        <location filename="elastic_check.cpp"/>
-        <source>no material</source>
-        <translation>aucune matière</translation>
     </message>
     <message>
         <location filename="element_map.cpp"/>
@@ -3012,6 +3012,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="flight_curves.cpp"/>
         <source>no ghosts</source>
         <translation>sans fantômes</translation>
+    </message>
+    <message>
+        <location filename="flutter_check.cpp"/>
+        <source>The fabric of %1 lies in one plane with the wind and stays there, as nothing moves it aside: it does not flutter. Turn the wind by a degree, or give it gusts.</source>
+        <translation>Le tissu de %1 est dans un même plan que le vent et y reste, car rien ne l’en écarte : il ne flotte pas. Tournez le vent d’un degré, ou donnez-lui des rafales.</translation>
     </message>
     <message>
         <location filename="fold_button.cpp"/>
@@ -4418,6 +4423,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="line_drag.cpp"/>
         <source>line drag</source>
         <translation>la traînée des lignes</translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>%1: torn</source>
+        <translation>%1 : rompu</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
@@ -5832,6 +5842,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="outline.cpp"/>
         <source>Delete %1, and with it what hangs on it: %2?</source>
         <translation>Supprimer %1, et avec ce qui y est attaché : %2 ?</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Delete %1? What is made of it, %2, has then neither stiffness nor strength of its own.</source>
+        <translation>Supprimer %1 ? Ce qui en est fait, %2, n’aura alors plus ni raideur ni résistance propres.</translation>
     </message>
     <message>
         <location filename="outline.cpp"/>
@@ -15966,6 +15981,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="thread_check.cpp"/>
+        <source>Threads of %1 pull with the membrane stiffness of %2, %3, whichever way they run; its weft stiffness of %4 is not used. Have panels carry the pull, which know warp and weft.</source>
+        <translation>Les fils de %1 tirent avec la raideur de membrane de %2, %3, quel que soit leur sens ; sa raideur de trame de %4 n’est pas utilisée. Faites porter la traction par les panneaux, qui connaissent chaîne et trame.</translation>
+    </message>
+    <message>
+        <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with up to %2 along cells that are %3 times as long as wide, instead of the membrane stiffness of %4, %5: their diagonals alone are stiffer. Make the cells squarer, or have panels carry the pull.</source>
         <translation>Les fils de %1 tirent jusqu’à %2 le long de mailles %3 fois plus longues que larges, au lieu de la raideur de membrane de %4, %5 : leurs diagonales seules sont plus raides. Rendez les mailles plus carrées, ou faites porter la traction par les panneaux.</translation>
     </message>
@@ -16371,8 +16391,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="totals.cpp"/>
-        <source>%1 long</source>
-        <translation>%1 de long</translation>
+        <source>%1 of links</source>
+        <translation>%1 de liaisons</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>

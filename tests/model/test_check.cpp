@@ -177,6 +177,10 @@ private slots:
         row("particle without links", warning, 14, "no links",
             [](Scene& s) { part(s).particles.push_back({Id{14}}); });
 
+        row("flag in one plane with the wind", warning, 1, "does not flutter", [](Scene& s) {
+            addItem(s, Wind{.velocity = {6.0, 0.0, 0.0}});
+        });
+
         row("time step above the limit", warning, 13, "shorten the time step", [](Scene& s) {
             s.settings.integrator = Integrator::SemiImplicitEuler;
             s.settings.timeStep = 0.1;
@@ -244,6 +248,20 @@ private slots:
             ball.shape = ColliderShape::Sphere;
             ball.normal = Vec3::Zero();
             addItem(s, ball);
+        });
+        row("flag in a wind from aside", [](Scene& s) {
+            addItem(s, Wind{.velocity = {6.0, 0.0, 0.1}});
+        });
+        row("flag in gusts", [](Scene& s) {
+            addItem(s, Wind{.velocity = {6.0, 0.0, 0.0}, .kind = WindKind::Gusts});
+        });
+        row("flag that is pushed aside", [](Scene& s) {
+            addItem(s, Wind{.velocity = {6.0, 0.0, 0.0}});
+            part(s).particles[1].velocity = {0.0, 0.0, 0.1};
+        });
+        row("sheet that falls across the wind", [](Scene& s) {
+            addItem(s, Wind{.velocity = {6.0, 0.0, 0.0}});
+            s.settings.gravity = {0.0, 0.0, -9.80665};
         });
         row("probe of the whole scene", [](Scene& s) {
             addItem(s, Probe{"energy", Quantity::TotalEnergy});

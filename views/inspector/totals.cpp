@@ -85,7 +85,7 @@ struct Sums
             facts << (springs == 1 ? words("1 spring") : words("%1 springs").arg(whole(springs)))
                   << (rods == 1 ? words("1 rod") : words("%1 rods").arg(whole(rods)));
         if (springs + rods > 0)
-            facts << words("%1 long").arg(spokenText(length, "m"));
+            facts << words("%1 of links").arg(spokenText(length, "m"));
         if (panels > 0)
             facts << spokenText(area, "m\u00b2");
         return joined(facts);

@@ -60,6 +60,7 @@ LoadList::LoadList(const QString& title, const QString& name, QWidget* parent)
     setFrameShape(NoFrame);
     setSelectionMode(SingleSelection);
     setUniformRowHeights(true);
+    setTextElideMode(Qt::ElideMiddle); // the number in the end tells one from the other
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setSectionResizeMode(Place, QHeaderView::Stretch);
