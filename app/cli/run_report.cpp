@@ -139,7 +139,8 @@ void printWorstMargin(const Json& loads)
                                            + shortNumber(worst["load"]) + unit + " of "
                                            + shortNumber(worst["strength"]) + unit + " in " + kind
                                            + ' ' + std::to_string(worst[kind].get<long>()) + " at "
-                                           + shortNumber(worst["time"]) + " s");
+                                           + shortNumber(worst["time"]) + " s"
+                                           + (worst["torn"].get<bool>() ? ", torn" : ""));
     }
     std::string names;
     for (const Json& name : loads.value("without_strength", Json::array()))

@@ -41,7 +41,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"line_length",   "m",      4,      0.2, 60,  false, "From the canopy to the payload; made longer where it would not reach."},
     {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
     {"line_density",  "kg/m",   0.002,  1e-5, 0.2, false, "Mass of a line per length.", {}, {}, {}, isZero("cord")},
-    {"line_diameter", "m",      0.002,  0, 0.05,  false, "Thickness of a line, which the wind drags.", {}, {}, {}, isZero("cord")},
+    {"line_diameter", "m",      0.002,  0, 0.05,  false, "Thickness of a line, which the wind drags."},
     {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I.", "Fabric", {}, {}, isZero("cloth")},
     {"hoop_mass",     "kg",     0.1,    0.01, 50, false, "Mass of the two particles that hold the canopy open.", {}, {}, {}, isZero("pressure")},
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},

@@ -50,7 +50,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"line_length",   "m",      4.5,    0.3, 60,  false, "From the skirt to the payload; 0.8 to 1 nominal diameter is usual."},
     {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
     {"line_density",  "kg/m",   0.004,  1e-5, 0.2, false, "Mass of a line per length.", {}, {}, {}, isZero("cord")},
-    {"line_diameter", "m",      0.003,  0, 0.05,  false, "Thickness of a line, which the wind drags.", {}, {}, {}, isZero("cord")},
+    {"line_diameter", "m",      0.003,  0, 0.05,  false, "Thickness of a line, which the wind drags."},
     {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I.", "Fabric", {}, {}, isZero("cloth")},
     {"hoop_mass",     "kg",     0.4,    0.01, 50, false, "Mass of the hoop.", {}, {}, {}, isNotZero("hoop")},
     {"equal_masses",  "",       0,      0, 1,     true,  "1 gives all particles but the payload the same mass, as the paper on kites did; 0 weighs cloth, lines and hoop where they are."},

@@ -1,3 +1,5 @@
+// What hands move in a substep: inputs, the pins among their targets, and what is carried; then the
+// rest lengths that a shifted weight gives its rods.
 #include "step/inputs.h"
 
 #include "base/portable_math.h"
@@ -40,21 +42,21 @@ void PinWays::note(const System& system, const State& state)
         if (input.kind == ControlKind::Move)
             for (const int target : input.targets)
                 if (const auto p = std::size_t(target); system.inverseMass[p] == 0.0)
-                    m_pins.push_back({p, state.position[p], state.drift[p]});
+                    m_pins.push_back({p, state.position[p]});
 }
 
-void PinWays::lookBack(State& state, std::span<PaddedVec3> before) const
+void PinWays::lookBack(State& state, std::span<PaddedVec3> before, double h) const
 {
-    for (const auto& [particle, place, drift] : m_pins) {
+    for (const auto& [particle, place] : m_pins) {
         before[particle] = place;
-        state.drift[particle] = drift;
+        state.drift[particle] = (state.position[particle] - place) / h;
     }
 }
 
-void PinWays::keep(State& state, std::span<const PaddedVec3> before, double h) const
+void PinWays::forget(State& state) const
 {
-    for (const auto& [particle, place, drift] : m_pins)
-        state.drift[particle] = (state.position[particle] - before[particle]) / h;
+    for (const Pin& pin : m_pins)
+        state.drift[pin.particle].setZero();
 }
 
 void moveCarried(State& state, double h)

@@ -15,31 +15,28 @@ namespace ripstop {
 // Returns whether a value changed.
 bool moveInputs(const System& system, State& state, double h);
 
-// The way of the pins that inputs move, in one substep. They stand still for the integrator, and
-// what is damped at them is stretched by their way all the same: without it a drawn sheet would be
-// damped where it hangs, as if its edge had been let go.
+// The way of the pins that inputs move, in one substep. They never have a velocity, and what is
+// damped at them is stretched by their way all the same: without it cloth that is drawn would be
+// damped beside its edge as if the edge stood still and the cloth came back.
 class PinWays
 {
 public:
     void reserve(const System& system); // takes memory; nothing else does
 
-    // Before inputs move and the integrator begins: where the pins are and what State::drift has of
-    // the substep before.
+    // Before inputs move: where the pins are.
     void note(const System& system, const State& state);
 
-    // After the integrator has begun: puts both back, for those who look back.
+    // While rods and panels are solved: where the pins were h seconds ago and, as if they came from
+    // afar at that speed, how fast. The state is without it afterwards.
     //   before  [particles] m
-    void lookBack(State& state, std::span<PaddedVec3> before) const;
-
-    // After rods are solved: State::drift of this substep of h seconds, for the next one.
-    void keep(State& state, std::span<const PaddedVec3> before, double h) const;
+    void lookBack(State& state, std::span<PaddedVec3> before, double h) const;
+    void forget(State& state) const;
 
 private:
     struct Pin
     {
         std::size_t particle;
         Vec3 place; // m
-        Vec3 drift; // m/s
     };
     std::vector<Pin> m_pins; // each once for each input that moves it
 };

@@ -229,7 +229,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (m_integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
     move(ParticlePass::Predict, system, state, h);
-    m_pinWays.lookBack(state, m_before);
+    m_pinWays.lookBack(state, m_before, h);
     m_clock.lap(StepStage::Motion);
     noteRodLengths(system, state);
     m_clock.lap(StepStage::Tearing);
@@ -237,11 +237,11 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (solvesContact(system))
         task.contacts = &search;
     project(task, state, h);
-    m_pinWays.keep(state, m_before, h);
     m_clock.lap(StepStage::Rods);
     const bool impact = isBdf2 && m_rods.hasImpact();
     if (impact && state.driftSubstep == h)
         beginAnew(task, state, h);
+    m_pinWays.forget(state);
     if (m_integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
         m_clock.lap(StepStage::Motion);

@@ -2013,7 +2013,7 @@
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Panels of %1 are to carry its pull and have no material: they carry nothing.</source>
-        <translation>Les panneaux de %1 doivent porter sa traction et n’ont pas de matériau : ils ne portent rien.</translation>
+        <translation>Les panneaux de %1 doivent porter sa traction et n’ont pas de matière : ils ne portent rien.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>

@@ -112,6 +112,7 @@ private slots:
             places.push_back({width * i / links, 0.0, 0.0});
         Chain chain(places, 1, 1e-3, line({}));
         chain.scene.settings.gravity = Vec3::Zero();
+        chain.scene.settings.viscosity = 0.0; // slows all but the pins
         Particle& end = chain.row().particles.back();
         end.pinned = true;
         Control control;

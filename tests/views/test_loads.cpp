@@ -114,14 +114,23 @@ private slots:
         QCOMPARE(chosen[0][0].toUInt(), 4U);
     }
 
-    // Places change their ranks while one looks at them.
+    // Places change their ranks while one looks at them; those that tore say so.
     void markGoesWithThePlace()
     {
         const Scene scene = hangingPair(40.0);
         LoadList list("Places", "Places");
-        const LoadedPlace one{4, 4, LoadKind::Line, 2.0, 10.0},
-            other{5, 5, LoadKind::Line, 1.0, 10.0};
+        const auto placeOf = [](std::uint32_t link, double load, bool torn) {
+            LoadedPlace place;
+            place.element = place.whole = link;
+            place.load = load;
+            place.strength = 10.0;
+            place.torn = torn;
+            return place;
+        };
+        const LoadedPlace one = placeOf(4, 12.0, true), other = placeOf(5, 1.0, false);
         list.showPlaces(scene, std::vector{one, other});
+        QVERIFY(list.topLevelItem(0)->text(LoadList::Place).endsWith("torn"));
+        QVERIFY(!list.topLevelItem(1)->text(LoadList::Place).contains("torn"));
         list.topLevelItem(0)->setSelected(true);
         list.showPlaces(scene, std::vector{other, one});
         QVERIFY(!list.topLevelItem(0)->isSelected() && list.topLevelItem(1)->isSelected());

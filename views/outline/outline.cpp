@@ -237,8 +237,7 @@ void Outline::removeSelected()
                          .arg(named, made)))
             return;
     }
-    edit.label =
-        Message::verbatim(tr("Remove %1").arg(named).toStdString());
+    edit.label = Message::verbatim(tr("Remove %1").arg(named).toStdString());
     m_document.push(std::move(edit));
 }
 
