@@ -53,10 +53,12 @@ void PinWays::lookBack(State& state, std::span<PaddedVec3> before, double h) con
     }
 }
 
-void PinWays::forget(State& state) const
+void PinWays::forget(State& state, std::span<PaddedVec3> before) const
 {
-    for (const Pin& pin : m_pins)
+    for (const Pin& pin : m_pins) {
+        before[pin.particle] = state.position[pin.particle];
         state.drift[pin.particle].setZero();
+    }
 }
 
 void moveCarried(State& state, double h)

@@ -27,10 +27,10 @@ public:
     void note(const System& system, const State& state);
 
     // While rods and panels are solved: where the pins were h seconds ago and, as if they came from
-    // afar at that speed, how fast. The state is without it afterwards.
+    // afar at that speed, how fast. All else sees pins that were there already.
     //   before  [particles] m
     void lookBack(State& state, std::span<PaddedVec3> before, double h) const;
-    void forget(State& state) const;
+    void forget(State& state, std::span<PaddedVec3> before) const;
 
 private:
     struct Pin

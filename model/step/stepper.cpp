@@ -241,7 +241,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     const bool impact = isBdf2 && m_rods.hasImpact();
     if (impact && state.driftSubstep == h)
         beginAnew(task, state, h);
-    m_pinWays.forget(state);
+    m_pinWays.forget(state, m_before);
     if (m_integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
         m_clock.lap(StepStage::Motion);
