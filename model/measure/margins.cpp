@@ -1,6 +1,7 @@
 // What has a strength is found first, once for a system. forEachLoad() then goes over it and finds
 // what it bears; what of that is kept is up to those who call it. What a panel bears takes a search
-// where it wrinkles, so that a bound of a few operations passes over the panels that do not matter.
+// where it wrinkles, so that a bound of a few operations passes over the panels that do not matter,
+// and four of the others are worked out at once.
 #include "measure/margins.h"
 
 #include "base/joined_sets.h"
@@ -73,10 +74,9 @@ struct Loaded
     double margin() const { return load / strength; }
 };
 
-Loaded loadedPanel(const System& system, const State& state, const Membrane& membrane,
+Loaded loadedPanel(const Membrane& membrane, const PanelPull& pull,
                    const JudgedPlaces::OfPanel& judged)
 {
-    const PanelPull pull = pullOf(system, membrane, cornersOf(system, membrane, state.position));
     const double warp = judged.warp > 0.0 ? pull.warp / judged.warp : 0.0;
     const double weft = judged.weft > 0.0 ? pull.weft / judged.weft : 0.0;
     const bool isWeft = weft > warp || !(judged.warp > 0.0);
@@ -106,12 +106,29 @@ void forEachLoad(const System& system, const State& state, const JudgedPlaces& j
             visit(
                 Loaded{kind, std::max(pullIn(system, state, link), 0.0) / width, strength, {i, i}});
     }
+    std::size_t count = 0; // of the panels that wait for a fourth
+    std::array<const JudgedPlaces::OfPanel*, 4> panels{};
+    std::array<const Membrane*, 4> membranes{};
+    std::array<Corners, 4> corners;
+    const auto visitPanels = [&] {
+        const auto pulls = pullsOf(system, std::span(membranes).first(count), corners);
+        for (std::size_t i = 0; i < count; ++i)
+            visit(loadedPanel(*membranes[i], pulls[i], *panels[i]));
+        count = 0;
+    };
     for (const JudgedPlaces::OfPanel& panel : judged.panels) {
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        if (!state.panelGone[std::size_t(membrane.panel)]
-            && matters(mostMargin(system, state, membrane, panel)))
-            visit(loadedPanel(system, state, membrane, panel));
+        if (state.panelGone[std::size_t(membrane.panel)]
+            || !matters(mostMargin(system, state, membrane, panel)))
+            continue;
+        panels[count] = &panel;
+        membranes[count] = &membrane;
+        corners[count] = cornersOf(system, membrane, state.position);
+        if (++count == panels.size())
+            visitPanels();
     }
+    if (count > 0)
+        visitPanels();
     for (const auto& [i, strength] : judged.spars) {
         const Bend& bend = system.of<BendLists>().list[std::size_t(i)];
         visit(Loaded{LoadKind::Spar, bendingMoment(system, state, bend), strength, bend.of});

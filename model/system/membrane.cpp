@@ -2,6 +2,8 @@
 // have, the numbers that people read, and what damping takes.
 #include "system/membrane.h"
 
+#include "laws/cloth_pack.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -112,13 +114,10 @@ Corners dampingPulls(const System& system, const Membrane& membrane, const Corne
                    isDamped ? dampingTension(law, membrane, from, to, h) : Vec3(Vec3::Zero()));
 }
 
-PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
+namespace {
+
+PanelPull pullOf(const ClothLaw& law, const Vec3& strain, const ClothTension& now)
 {
-    const ClothLaw law = lawOf(system, membrane);
-    if (!law.isElastic())
-        return {};
-    const Vec3 strain = strainAt(membrane, corners);
-    const ClothTension now = tensionOf(law, strain);
     const Vec3 threads = threadStrain(law, strain, now);
     const double warp = stretchOf(threads[0]), weft = stretchOf(threads[1]);
     return {true,
@@ -129,6 +128,46 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
             weft * now.tension[1],
             warp - 1.0,
             weft - 1.0};
+}
+
+} // namespace
+
+PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
+{
+    const ClothLaw law = lawOf(system, membrane);
+    if (!law.isElastic())
+        return {};
+    const Vec3 strain = strainAt(membrane, corners);
+    return pullOf(law, strain, tensionOf(law, strain));
+}
+
+std::array<PanelPull, 4> pullsOf(const System& system, std::span<const Membrane* const> membranes,
+                                 std::span<const Corners> corners)
+{
+    std::array<ClothLaw, 4> law;
+    std::array<Vec3, 4> strain;
+    ClothLawPack laws;
+    Coordinates strains;
+    for (int lane = 0; lane < 4; ++lane) {
+        const auto i = std::size_t(lane);
+        strain[i].setZero();
+        if (i < membranes.size()) {
+            law[i] = lawOf(system, *membranes[i]);
+            strain[i] = strainAt(*membranes[i], corners[i]);
+        }
+        if (law[i].isElastic())
+            laws.set(lane, law[i]);
+        else
+            laws.clear(lane);
+        strains.set(lane, strain[i]);
+    }
+    ClothTensionPack now;
+    followLaws(laws, strains, now);
+    std::array<PanelPull, 4> pulls;
+    for (int lane = 0; lane < 4; ++lane)
+        if (const auto i = std::size_t(lane); law[i].isElastic())
+            pulls[i] = pullOf(law[i], strain[i], now.of(lane));
+    return pulls;
 }
 
 double largestStrain(const Vec3& strain)
