@@ -50,6 +50,12 @@ std::optional<Vec3> planeOf(const Part& part)
     return isFlat ? std::optional(n) : std::nullopt;
 }
 
+bool meetsAir(const Scene& scene, const Panel& panel)
+{
+    const Material* const material = findItem<Material>(scene, panel.material);
+    return !material || material->airLaw != AirLaw::None;
+}
+
 } // namespace
 
 void checkFlutter(const Scene& scene, const AddFinding& add)
@@ -59,7 +65,9 @@ void checkFlutter(const Scene& scene, const AddFinding& add)
         return;
     forEachPart(scene, [&](Id id, const Part& part) {
         const std::optional<Vec3> normal = planeOf(part);
-        if (normal && isIn(*normal, *wind) && isIn(*normal, scene.settings.gravity))
+        if (normal && isIn(*normal, *wind) && isIn(*normal, scene.settings.gravity)
+            && std::ranges::any_of(part.panels,
+                                   [&](const Panel& panel) { return meetsAir(scene, panel); }))
             add("flutter", Severity::Warning,
                 Message(
                     "The fabric of %1 lies in one plane with the wind and stays there, as "

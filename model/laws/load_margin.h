@@ -86,25 +86,23 @@ public:
     {
         if (!wants(place.margin()))
             return;
-        const auto isSame = [&](const LoadedPlace& held) { return areOne(held, place); };
-        const auto isWorse = [&](const LoadedPlace& held) {
-            return held.margin() >= place.margin();
-        };
-        const auto held = std::span(m_places).first(m_count);
-        if (std::ranges::any_of(held, [&](const auto& one) { return isSame(one) && isWorse(one); }))
+        const LoadedPlace* lastAlike = nullptr; // where there are as many as may be
+        std::size_t alike = 0;
+        for (const LoadedPlace& held : all()) {
+            if (areOne(held, place)) {
+                if (held.margin() >= place.margin())
+                    return;
+            } else if (held.material == place.material && held.kind == place.kind
+                       && ++alike == mostAlike) {
+                lastAlike = &held;
+            }
+        }
+        if (lastAlike && lastAlike->margin() >= place.margin())
             return;
-        const auto isAlike = [&](const LoadedPlace& one) {
-            return one.material == place.material && one.kind == place.kind && !isSame(one);
-        };
-        const bool isFull = std::size_t(std::ranges::count_if(held, isAlike)) == mostAlike;
-        if (isFull && std::ranges::all_of(held, [&](const auto& one) {
-                return !isAlike(one) || isWorse(one);
-            }))
-            return;
-        std::size_t kept = 0, alike = 0;
-        for (const LoadedPlace& one : held)
-            if (!isSame(one) && !(isFull && isAlike(one) && ++alike == mostAlike))
-                m_places[kept++] = one;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < m_count; ++i)
+            if (!areOne(m_places[i], place) && &m_places[i] != lastAlike)
+                m_places[kept++] = m_places[i];
         m_count = std::min(kept + 1, most);
         auto at = m_places.begin() + std::ptrdiff_t(m_count) - 1;
         for (; at != m_places.begin() && (at - 1)->margin() < place.margin(); --at)

@@ -1,7 +1,5 @@
 // What has a strength is found first, once for a system. forEachLoad() then goes over it and finds
-// what it bears; what of that is kept is up to those who call it. What a panel bears takes a search
-// where it wrinkles, so that a bound of a few operations passes over the panels that do not matter,
-// and four of the others are worked out at once.
+// what it bears; what of that is kept is up to those who call it. Panels go by four.
 #include "measure/margins.h"
 
 #include "base/joined_sets.h"
@@ -74,31 +72,66 @@ struct Loaded
     double margin() const { return load / strength; }
 };
 
-Loaded loadedPanel(const Membrane& membrane, const PanelPull& pull,
-                   const JudgedPlaces::OfPanel& judged)
+// Which of the threads are nearer to their strength, of those that have one.
+Loaded loadedPanel(int panel, double warp, double weft, double warpStrength, double weftStrength)
 {
-    const double warp = judged.warp > 0.0 ? pull.warp / judged.warp : 0.0;
-    const double weft = judged.weft > 0.0 ? pull.weft / judged.weft : 0.0;
-    const bool isWeft = weft > warp || !(judged.warp > 0.0);
+    const double ofWarp = warpStrength > 0.0 ? warp / warpStrength : 0.0;
+    const double ofWeft = weftStrength > 0.0 ? weft / weftStrength : 0.0;
+    const bool isWeft = ofWeft > ofWarp || !(warpStrength > 0.0);
     return {LoadKind::Cloth,
-            std::max(isWeft ? pull.weft : pull.warp, 0.0),
-            isWeft ? judged.weft : judged.warp,
-            {membrane.panel, membrane.panel},
+            std::max(isWeft ? weft : warp, 0.0),
+            isWeft ? weftStrength : warpStrength,
+            {panel, panel},
             true};
 }
 
-// What neither the warp nor the weft of a panel is nearer to its strength than.
-double mostMargin(const System& system, const State& state, const Membrane& membrane,
-                  const JudgedPlaces::OfPanel& judged)
+struct PulledThreads // N/m, per flat width
 {
-    const double e = largestStrain(strainAt(membrane, cornersOf(system, membrane, state.position)));
-    return judged.bound.pullAt(e) / weaker(judged.warp, judged.weft);
+    Pack warp{};
+    Pack weft{};
+};
+
+// What PanelPull has of each of four panels (system/membrane.h).
+PulledThreads pulledThreads(const ClothLawPack& law, const Coordinates& strain)
+{
+    ClothTensionPack now;
+    followLaws(law, strain, now);
+    const Coordinates& t = now.tension;
+    const Pack warp = law.alongWarp * t.x + law.across * t.y; // strain of what wrinkles
+    const Pack weft = law.across * t.x + law.alongWeft * t.y;
+    PulledThreads pull;
+    for (int lane = 0; lane < 4; ++lane) {
+        const bool isTaut = now.isTaut[lane] != 0;
+        pull.warp[lane] = t.x[lane] * stretchOf(isTaut ? strain.x[lane] : warp[lane]);
+        pull.weft[lane] = t.y[lane] * stretchOf(isTaut ? strain.y[lane] : weft[lane]);
+    }
+    return pull;
 }
 
-//   matters  whether a margin of at most so much is of interest
-template <typename Matters, typename Visit>
+template <typename Visit>
+void forEachPanel(const System& system, const State& state, const JudgedPlaces::FourPanels& four,
+                  Visit&& visit)
+{
+    Coordinates strain{};
+    for (int lane = 0; lane < 4; ++lane)
+        if (const int m = four.membrane[std::size_t(lane)]; m >= 0) {
+            const Membrane& membrane = system.membranes[std::size_t(m)];
+            strain.set(lane, strainAt(membrane, cornersOf(system, membrane, state.position)));
+        }
+    const PulledThreads pull = pulledThreads(four.law, strain);
+    for (int lane = 0; lane < 4; ++lane) {
+        const auto k = std::size_t(lane);
+        if (four.membrane[k] < 0)
+            continue;
+        const int panel = system.membranes[std::size_t(four.membrane[k])].panel;
+        if (!state.panelGone[std::size_t(panel)])
+            visit(loadedPanel(panel, pull.warp[lane], pull.weft[lane], four.warp[k], four.weft[k]));
+    }
+}
+
+template <typename Visit>
 void forEachLoad(const System& system, const State& state, const JudgedPlaces& judged,
-                 Matters&& matters, Visit&& visit)
+                 Visit&& visit)
 {
     for (const auto& [i, kind, width, strength] : judged.links) {
         const LinkPlace& link = system.links[std::size_t(i)];
@@ -106,29 +139,8 @@ void forEachLoad(const System& system, const State& state, const JudgedPlaces& j
             visit(
                 Loaded{kind, std::max(pullIn(system, state, link), 0.0) / width, strength, {i, i}});
     }
-    std::size_t count = 0; // of the panels that wait for a fourth
-    std::array<const JudgedPlaces::OfPanel*, 4> panels{};
-    std::array<const Membrane*, 4> membranes{};
-    std::array<Corners, 4> corners;
-    const auto visitPanels = [&] {
-        const auto pulls = pullsOf(system, std::span(membranes).first(count), corners);
-        for (std::size_t i = 0; i < count; ++i)
-            visit(loadedPanel(*membranes[i], pulls[i], *panels[i]));
-        count = 0;
-    };
-    for (const JudgedPlaces::OfPanel& panel : judged.panels) {
-        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        if (state.panelGone[std::size_t(membrane.panel)]
-            || !matters(mostMargin(system, state, membrane, panel)))
-            continue;
-        panels[count] = &panel;
-        membranes[count] = &membrane;
-        corners[count] = cornersOf(system, membrane, state.position);
-        if (++count == panels.size())
-            visitPanels();
-    }
-    if (count > 0)
-        visitPanels();
+    for (const JudgedPlaces::FourPanels& four : judged.panels)
+        forEachPanel(system, state, four, visit);
     for (const auto& [i, strength] : judged.spars) {
         const Bend& bend = system.of<BendLists>().list[std::size_t(i)];
         visit(Loaded{LoadKind::Spar, bendingMoment(system, state, bend), strength, bend.of});
@@ -162,18 +174,19 @@ std::optional<Loaded> loadedSpar(const System& system, const State::Tear& tear,
 std::optional<Loaded> loadedPanel(const System& system, const State::Tear& tear,
                                   const JudgedPlaces& judged)
 {
-    for (const JudgedPlaces::OfPanel& panel : judged.panels) {
-        const int number = system.membranes[std::size_t(panel.membrane)].panel;
-        if (system.panelKey[std::size_t(number)] != tear.element)
-            continue;
-        const double larger = std::max(panel.warp, panel.weft);
-        const bool isLarger = tear.force >= larger * system.safetyFactor;
-        return Loaded{LoadKind::Cloth,
-                      tear.force,
-                      isLarger ? larger : weaker(panel.warp, panel.weft),
-                      {number, number},
-                      true};
-    }
+    for (const JudgedPlaces::FourPanels& four : judged.panels)
+        for (std::size_t k = 0; k < 4 && four.membrane[k] >= 0; ++k) {
+            const int panel = system.membranes[std::size_t(four.membrane[k])].panel;
+            if (system.panelKey[std::size_t(panel)] != tear.element)
+                continue;
+            const double larger = std::max(four.warp[k], four.weft[k]);
+            const bool isLarger = tear.force >= larger * system.safetyFactor;
+            return Loaded{LoadKind::Cloth,
+                          tear.force,
+                          isLarger ? larger : weaker(four.warp[k], four.weft[k]),
+                          {panel, panel},
+                          true};
+        }
     return std::nullopt;
 }
 
@@ -224,6 +237,7 @@ void judgeLinks(const System& system, JudgedPlaces& judged)
 
 void judgePanels(const System& system, JudgedPlaces& judged)
 {
+    std::size_t count = 0;
     for (int i = 0; i < int(system.membranes.size()); ++i) {
         const Membrane& membrane = system.membranes[std::size_t(i)];
         const ClothLaw law = lawOf(system, membrane);
@@ -231,9 +245,15 @@ void judgePanels(const System& system, JudgedPlaces& judged)
             system.strength[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
         if (!law.isElastic() || !(weaker(strength.warp, strength.weft) > 0.0))
             continue;
+        const std::size_t k = count++ % 4;
+        if (k == 0)
+            judged.panels.emplace_back();
+        JudgedPlaces::FourPanels& four = judged.panels.back();
         const double factor = membrane.factors.strength;
-        judged.panels.push_back({i, factor * strength.warp / system.safetyFactor,
-                                 factor * strength.weft / system.safetyFactor, ClothBound(law)});
+        four.membrane[k] = i;
+        four.law.set(int(k), law);
+        four.warp[k] = factor * strength.warp / system.safetyFactor;
+        four.weft[k] = factor * strength.weft / system.safetyFactor;
     }
 }
 
@@ -319,8 +339,7 @@ Margins margins(const System& system, const State& state)
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     result.link.assign(system.links.size(), none);
     result.panel.assign(system.panels.size(), none);
-    const auto all = [](double) { return true; };
-    forEachLoad(system, state, judged, all, [&](const Loaded& loaded) {
+    forEachLoad(system, state, judged, [&](const Loaded& loaded) {
         for (const int element : loaded.of) {
             double& held = (loaded.isPanel ? result.panel : result.link)[std::size_t(element)];
             held = std::fmax(held, loaded.margin()); // passes over what is no number
@@ -355,9 +374,8 @@ LoadedPlace placeOf(const System& system, const JudgedPlaces& judged, const Load
 void offerPlaces(const System& system, const State& state, const JudgedPlaces& judged,
                  WorstPlaces& worst)
 {
-    const auto matters = [&](double margin) { return worst.wants(margin); };
-    forEachLoad(system, state, judged, matters, [&](const Loaded& loaded) {
-        if (!matters(loaded.margin()))
+    forEachLoad(system, state, judged, [&](const Loaded& loaded) {
+        if (!worst.wants(loaded.margin()))
             return;
         LoadedPlace place = placeOf(system, judged, loaded);
         place.time = state.time;

@@ -7,9 +7,10 @@
 // to both. What has torn bears nothing, and what pushes is not judged: buckling is no strength.
 #pragma once
 
-#include "laws/cloth_bound.h"
+#include "laws/cloth_pack.h"
 #include "system/system.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -36,12 +37,18 @@ struct JudgedPlaces
         double width;    // m, of the strip that a thread stands for; 1 of a line
         double strength; // N or N/m
     };
-    struct OfPanel
+    struct FourPanels // whose law is worked out at once, as it takes no longer than that of one
     {
-        int membrane;
-        double warp; // N/m, strength; 0 for none
-        double weft;
-        ClothBound bound;
+        std::array<int, 4> membrane{-1, -1, -1, -1}; // -1 for none
+        ClothLawPack law;
+        std::array<double, 4> warp{}; // N/m, strength; 0 for none
+        std::array<double, 4> weft{};
+
+        FourPanels()
+        {
+            for (int lane = 0; lane < 4; ++lane)
+                law.clear(lane);
+        }
     };
     struct OfSpar
     {
@@ -50,7 +57,7 @@ struct JudgedPlaces
     };
 
     std::vector<OfLink> links;
-    std::vector<OfPanel> panels;
+    std::vector<FourPanels> panels;
     std::vector<OfSpar> spars;
 
     // The names of places. What is of one material is one line as long as no third line ends at a

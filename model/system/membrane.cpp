@@ -2,8 +2,6 @@
 // have, the numbers that people read, and what damping takes.
 #include "system/membrane.h"
 
-#include "laws/cloth_pack.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +30,8 @@ std::size_t materialOf(const System& system, const Membrane& membrane)
 
 } // namespace
 
+double stretchOf(double strain) { return std::sqrt(std::max(1.0 + 2.0 * strain, 0.0)); }
+
 ClothLaw lawOf(const System& system, const Membrane& membrane)
 {
     return system.cloth[materialOf(system, membrane)].times(membrane.factors.stiffness);
@@ -45,9 +45,6 @@ FabricTear tearOf(const System& system, const Membrane& membrane)
 }
 
 namespace {
-
-// 1, length over that at rest, of threads of this strain of Green's.
-double stretchOf(double strain) { return std::sqrt(std::max(1.0 + 2.0 * strain, 0.0)); }
 
 // N/m, the largest principal tension as a tensile test has it: times the stretch of the cloth along
 // it, and so per width of the flat cloth.
@@ -87,15 +84,18 @@ Corners pullsOf(const Membrane& membrane, const Corners& corners, const Vec3& te
     return pulls;
 }
 
-// N/m, what damping adds as the panel goes from one place to another within h, s.
-Vec3 dampingTension(const ClothLaw& law, const Membrane& membrane, const Corners& from,
-                    const Corners& to, double h)
+// What the law makes of the way that the threads of a panel have stretched, with the dampers of
+// what they shrank; nothing where there is no damping.
+ClothTension tensionOfWay(const ClothLaw& law, const Membrane& membrane, const Corners& from,
+                          const Corners& to)
 {
+    if (!law.isElastic() || law.dampingTime == 0.0)
+        return {};
     const Vec3 change =
         pullingStrain(law, strainAt(membrane, to)) - pullingStrain(law, strainAt(membrane, from));
     ClothLaw straight = law;
     straight.pushes = true;
-    return law.dampingTime / h * tensionOf(straight, change).tension;
+    return tensionOf(straight, change);
 }
 
 } // namespace
@@ -109,15 +109,17 @@ Corners dampingPulls(const System& system, const Membrane& membrane, const Corne
                      const Corners& to, double h)
 {
     const ClothLaw law = lawOf(system, membrane);
-    const bool isDamped = law.isElastic() && law.dampingTime > 0.0;
     return pullsOf(membrane, to,
-                   isDamped ? dampingTension(law, membrane, from, to, h) : Vec3(Vec3::Zero()));
+                   law.dampingTime / h * tensionOfWay(law, membrane, from, to).tension);
 }
 
-namespace {
-
-PanelPull pullOf(const ClothLaw& law, const Vec3& strain, const ClothTension& now)
+PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
 {
+    const ClothLaw law = lawOf(system, membrane);
+    if (!law.isElastic())
+        return {};
+    const Vec3 strain = strainAt(membrane, corners);
+    const ClothTension now = tensionOf(law, strain);
     const Vec3 threads = threadStrain(law, strain, now);
     const double warp = stretchOf(threads[0]), weft = stretchOf(threads[1]);
     return {true,
@@ -128,46 +130,6 @@ PanelPull pullOf(const ClothLaw& law, const Vec3& strain, const ClothTension& no
             weft * now.tension[1],
             warp - 1.0,
             weft - 1.0};
-}
-
-} // namespace
-
-PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
-{
-    const ClothLaw law = lawOf(system, membrane);
-    if (!law.isElastic())
-        return {};
-    const Vec3 strain = strainAt(membrane, corners);
-    return pullOf(law, strain, tensionOf(law, strain));
-}
-
-std::array<PanelPull, 4> pullsOf(const System& system, std::span<const Membrane* const> membranes,
-                                 std::span<const Corners> corners)
-{
-    std::array<ClothLaw, 4> law;
-    std::array<Vec3, 4> strain;
-    ClothLawPack laws;
-    Coordinates strains;
-    for (int lane = 0; lane < 4; ++lane) {
-        const auto i = std::size_t(lane);
-        strain[i].setZero();
-        if (i < membranes.size()) {
-            law[i] = lawOf(system, *membranes[i]);
-            strain[i] = strainAt(*membranes[i], corners[i]);
-        }
-        if (law[i].isElastic())
-            laws.set(lane, law[i]);
-        else
-            laws.clear(lane);
-        strains.set(lane, strain[i]);
-    }
-    ClothTensionPack now;
-    followLaws(laws, strains, now);
-    std::array<PanelPull, 4> pulls;
-    for (int lane = 0; lane < 4; ++lane)
-        if (const auto i = std::size_t(lane); law[i].isElastic())
-            pulls[i] = pullOf(law[i], strain[i], now.of(lane));
-    return pulls;
 }
 
 double largestStrain(const Vec3& strain)
@@ -187,13 +149,7 @@ double lossIn(const System& system, const Membrane& membrane, const Corners& fro
               const Corners& to, double h)
 {
     const ClothLaw law = lawOf(system, membrane);
-    if (!law.isElastic() || law.dampingTime == 0.0)
-        return 0.0;
-    const Vec3 change =
-        pullingStrain(law, strainAt(membrane, to)) - pullingStrain(law, strainAt(membrane, from));
-    ClothLaw straight = law;
-    straight.pushes = true;
-    return membrane.area * law.dampingTime / h * 2.0 * tensionOf(straight, change).energy;
+    return membrane.area * law.dampingTime / h * 2.0 * tensionOfWay(law, membrane, from, to).energy;
 }
 
 } // namespace ripstop

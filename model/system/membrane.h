@@ -9,7 +9,6 @@
 #include "system/system.h"
 
 #include <array>
-#include <span>
 
 namespace ripstop {
 
@@ -65,10 +64,8 @@ Corners dampingPulls(const System& system, const Membrane& membrane, const Corne
 // What it carries in the numbers that people read.
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners);
 
-// The same of four at most, to the bit, in little more than the time of one.
-//   corners  [membranes]
-std::array<PanelPull, 4> pullsOf(const System& system, std::span<const Membrane* const> membranes,
-                                 std::span<const Corners> corners);
+// 1, length over that at rest, of threads of this strain of Green's.
+double stretchOf(double strain);
 
 // What a strain stretches most, 1; 0 where it shortens all around.
 double largestStrain(const Vec3& strain);

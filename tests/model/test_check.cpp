@@ -252,6 +252,10 @@ private slots:
         row("flag in a wind from aside", [](Scene& s) {
             addItem(s, Wind{.velocity = {6.0, 0.0, 0.1}});
         });
+        row("flag that no air pushes", [](Scene& s) {
+            addItem(s, Wind{.velocity = {6.0, 0.0, 0.0}});
+            std::get<Material>(*findItem(s, materialId)).airLaw = AirLaw::None;
+        });
         row("flag in gusts", [](Scene& s) {
             addItem(s, Wind{.velocity = {6.0, 0.0, 0.0}, .kind = WindKind::Gusts});
         });

@@ -1,20 +1,17 @@
 // The inspector (inspector/inspector.h), typed into and clicked over a scene with one element of
 // each kind.
 //
-// Stages: what is refused, presets, units, search, marks of changed values; then every number,
+// Stages: what is refused, units, search, marks of changed values; then every number,
 // choice and switch of the table of properties is set and undone, so that a new property is
 // covered without a change here; then several elements at once; and at the end the time for a
 // large selection.
-#include "builders/builder.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "inspector/inspector.h"
-#include "inspector/preset_chooser.h"
 #include "inspector/scrub_label.h"
-#include "materials/presets.h"
 #include "scene/edit.h"
 #include "scene/path.h"
-#include "small_scenes.h"
+#include "views/inspector_form.h"
 #include "views/run_with_widgets.h"
 
 #include <QCheckBox>
@@ -27,57 +24,9 @@
 
 namespace ripstop::test_inspector {
 
+using Form = InspectorForm;
+
 namespace {
-
-// The inspector over one of everything, in a window that has the focus.
-struct Form
-{
-    Document document;
-    Selection selection{document};
-    Inspector inspector{document, selection};
-
-    Form()
-    {
-        document.replace(oneOfEverything());
-        inspector.resize(300, 700);
-        inspector.show();
-        QApplication::setActiveWindow(&inspector); // Xvfb has no window manager to do it
-    }
-
-    QLineEdit* line(std::string_view key, int axis = 0)
-    {
-        return qobject_cast<QLineEdit*>(inspector.field(key, axis));
-    }
-    void type(QLineEdit* edit, const QString& text)
-    {
-        edit->setFocus();
-        edit->selectAll();
-        QTest::keyClicks(edit, text);
-        QTest::keyClick(edit, Qt::Key_Return);
-    }
-    bool says(const QString& words) const
-    {
-        const auto labels = inspector.findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-            return label->isVisible() && label->text().contains(words);
-        });
-    }
-    Value value(Id id, std::string_view key) const
-    {
-        const ConstRef ref = *find(document.scene(), id);
-        return findProperty(kindOf(ref), key)->get(ref);
-    }
-};
-
-const std::vector<Id> oneOfEachKind{settingsId, Id{3},  Id{5},  Id{8},  Id{1},  Id{9},
-                                    Id{11},     Id{12}, Id{13}, Id{14}, Id{15}, Id{16}};
-
-Id idOfKind(Kind kind)
-{
-    const Scene scene = oneOfEverything();
-    return *std::find_if(oneOfEachKind.begin(), oneOfEachKind.end(),
-                         [&](Id id) { return kindOf(*find(scene, id)) == kind; });
-}
 
 // A number in the middle of what the property allows.
 double allowedNumber(const Property& property)
@@ -139,80 +88,6 @@ private slots:
                  std::string("0: 0 1 0; 2: 3 1 0"));
     }
 
-    // Lighter and stiffer are a press away, and say what they made of it.
-    void stepsThroughTheLibrary()
-    {
-        Form form;
-        Material cloth;
-        cloth.name = "cloth";
-        give(cloth, **findPreset("ripstop_075"));
-        form.document.push({Message("Add"), {AddItem{0, {Id{40}, cloth}}}});
-        form.selection.set({Id{40}});
-        const auto step = [&](const QString& text) {
-            for (QToolButton* button : form.inspector.findChildren<QToolButton*>())
-                if (button->text() == text)
-                    return button;
-            return static_cast<QToolButton*>(nullptr);
-        };
-        QVERIFY(step("Lighter")->toolTip().contains("47 \u2192 42.5 g/m\u00b2"));
-        step("Lighter")->click();
-        QVERIFY(form.says("cloth is of Dominico 30D now: Areal density 47 \u2192 42.5 g/m\u00b2"));
-        QCOMPARE(form.value(Id{40}, "arealDensity"), Value(0.0425));
-        form.document.history().undo();
-        QCOMPARE(form.value(Id{40}, "arealDensity"), Value(0.047));
-        step("Stiffer")->click();
-        QCOMPARE(form.value(Id{40}, "membraneStiffness"), Value(46000.0));
-        form.selection.set({Id{9}}); // made of nothing
-        QVERIFY(!step("Lighter")->isEnabled());
-        QVERIFY(step("Lighter")->toolTip().contains("has no"));
-    }
-
-    // A cloth whose stiffness does nothing says so, and a link gives its links their widths.
-    void whatDoesNothingIsMadeToCount()
-    {
-        Form form;
-        form.document.push(setValue(form.document.scene(), Id{9}, "membraneStiffness", 40000.0));
-        form.document.push(setValue(form.document.scene(), Id{6}, "restLength", 1.4142135624));
-        form.selection.set({Id{9}});
-        QVERIFY(form.says("Membrane stiffness does nothing now"));
-        for (QLabel* label : form.inspector.findChildren<QLabel*>())
-            if (label->text().contains("Give its links widths"))
-                emit label->linkActivated("0");
-        QVERIFY(!form.says("does nothing now"));
-        QCOMPARE(form.value(Id{5}, "role"), Value(std::string("thread")));
-        QCOMPARE(std::get<double>(form.value(Id{5}, "width")), 0.5); // of 0.5 m^2 along 1 m
-        form.document.history().undo();
-        QCOMPARE(form.value(Id{5}, "width"), Value(0.0));
-    }
-
-    // One edit for all numbers, which one undo takes back; the button names what the material has.
-    void presetsOfMaterials()
-    {
-        Form form;
-        const Id material = idOfKind(Kind::Material);
-        form.selection.set({material});
-        auto* chooser = form.inspector.findChild<PresetChooser*>();
-        QVERIFY(chooser && chooser->isVisible());
-        auto* button = chooser->findChild<QToolButton*>();
-        QVERIFY(button->text().startsWith("Choose"));
-        const int before = form.document.history().count();
-        const Preset& preset = **findPreset("dyneema_2");
-        chooser->apply(preset);
-        QCOMPARE(form.document.history().count(), before + 1);
-        QCOMPARE(std::get<double>(form.value(material, "diameter")), 2e-3);
-        form.document.history().undo();
-        QCOMPARE(std::get<double>(form.value(material, "diameter")), 0.0);
-
-        Scene scene = *build(*findBuilder("rope"), {{"segments", 4}});
-        const Id cord = *findNamed(scene, Kind::Material, "cord");
-        form.document.replace(scene);
-        form.selection.set({cord});
-        chooser->apply(preset);
-        QCOMPARE(button->text(), QString::fromStdString(preset.label));
-        form.document.push(setValue(form.document.scene(), cord, "diameter", 0.01));
-        QVERIFY(button->text().startsWith("Choose"));
-    }
-
     // One field takes what people write: units, sums, and the complaint says which units would do.
     void numbersWithUnits()
     {
@@ -227,22 +102,6 @@ private slots:
         QCOMPARE(std::get<Vec3>(form.value(idOfKind(Kind::Wind), "velocity")).x(), 10.0);
         form.type(form.line("velocity", 0), "36 kg");
         QVERIFY(form.says("must be in m/s"));
-    }
-
-    // A tear limit is in metres, newtons or a part of the length, as its rule is.
-    void aTearLimitHasTheUnitOfItsRule()
-    {
-        Form form;
-        const Id material = idOfKind(Kind::Material);
-        form.document.push(
-            setValue(form.document.scene(), material, "tearRule", std::string("force")));
-        form.selection.set({material});
-        form.type(form.line("tearLimit"), "2 kN");
-        QCOMPARE(form.value(material, "tearLimit"), Value(2000.0));
-        form.document.push(
-            setValue(form.document.scene(), material, "tearRule", std::string("strain")));
-        form.type(form.line("tearLimit"), "15 %");
-        QCOMPARE(form.value(material, "tearLimit"), Value(0.15));
     }
 
     void rowsAreFoundByTheirWords()

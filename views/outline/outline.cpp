@@ -64,34 +64,26 @@ std::vector<Id> pointedAt(const Scene& scene, const std::vector<Id>& ids)
 }
 
 // Links and panels made of one of the materials.
-std::vector<Id> madeOf(const Scene& scene, const std::vector<Id>& materials)
+//   without  ids, ascending: of parts and elements that are left out
+std::vector<Id> madeOf(const Scene& scene, const std::vector<Id>& materials,
+                       const std::vector<Id>& without = {})
 {
     std::vector<Id> result;
+    const auto isIn = [](const std::vector<Id>& ids, Id id) {
+        return std::ranges::binary_search(ids, id);
+    };
     const auto collect = [&](const auto& rows) {
         for (const auto& row : rows)
-            if (std::binary_search(materials.begin(), materials.end(), row.material))
+            if (isIn(materials, row.material) && !isIn(without, row.id))
                 result.push_back(row.id);
     };
-    forEachPart(scene, [&](Id, const Part& part) {
+    forEachPart(scene, [&](Id id, const Part& part) {
+        if (isIn(without, id))
+            return;
         collect(part.links);
         collect(part.panels);
     });
     return result;
-}
-
-// The same, but for what goes with its material, as all of a design that is deleted does.
-ElementCounts countMadeOf(const Scene& scene, const std::vector<Id>& ids)
-{
-    ElementCounts counts;
-    const auto goes = [&](Id id) { return std::ranges::binary_search(ids, id); };
-    forEachPart(scene, [&](Id part, const Part& row) {
-        if (goes(part))
-            return;
-        const auto isMadeOf = [&](const auto& one) { return goes(one.material) && !goes(one.id); };
-        counts.links += std::size_t(std::ranges::count_if(row.links, isMadeOf));
-        counts.panels += std::size_t(std::ranges::count_if(row.panels, isMadeOf));
-    });
-    return counts;
 }
 
 } // namespace
@@ -230,11 +222,11 @@ void Outline::removeSelected()
     if (const QString others = countsOf(alsoRemoved(ids, edit)); !others.isEmpty()) {
         if (!confirm(tr("Delete %1, and with it what hangs on it: %2?").arg(named, others)))
             return;
-    } else if (const QString made = countsOf(countMadeOf(m_document.scene(), ids));
-               !made.isEmpty()) {
+    } else if (std::vector<Id> made = madeOf(m_document.scene(), ids, ids); !made.empty()) {
+        std::ranges::sort(made);
         if (!confirm(tr("Delete %1? What is made of it, %2, has then neither stiffness nor "
                         "strength of its own.")
-                         .arg(named, made)))
+                         .arg(named, describe(m_document.scene(), made))))
             return;
     }
     edit.label = Message::verbatim(tr("Remove %1").arg(named).toStdString());
