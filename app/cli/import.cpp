@@ -44,7 +44,7 @@ struct ImportOptions
     std::optional<double> membrane;
     std::optional<double> shearStiffness;
     std::optional<double> bending;
-    std::string fabric = "threads";
+    std::string fabric;
     std::string structural;
     std::string shear;
     std::string bend;
@@ -109,7 +109,9 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
         material.bendingStiffness = options.bending.value_or(material.bendingStiffness);
     }
     fabric.isPerFileMaterial = options.materials == "file";
-    fabric.carrier = options.fabric == "panels" ? FabricKind::Panels : FabricKind::Threads;
+    for (const FabricKind kind : {FabricKind::Threads, FabricKind::Panels})
+        if (choiceNames<FabricKind>[std::size_t(kind)] == options.fabric)
+            fabric.carrier = kind;
     fabric.structural = styleCalled(options.structural);
     fabric.shear = styleCalled(options.shear);
     fabric.bend = styleCalled(options.bend);
@@ -365,20 +367,20 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
         ->check(numberBetween(0.0, 1e6));
     command
         .add_option("--fabric", options.fabric,
-                    "What carries the pull: threads are links along edges and across, panels are "
-                    "elastic triangles with warp, weft and shear")
+                    "What carries the pull: panels are elastic triangles with warp, weft and "
+                    "shear, threads are links along edges and across; panels, unless such links "
+                    "are asked for or the material has no membrane stiffness")
         ->check(CLI::IsMember({"threads", "panels"}))
-        ->capture_default_str()
         ->type_name("threads|panels");
     const auto style = [&](const char* name, std::string& value, const char* help) {
         command.add_option(name, value, help)
             ->check(CLI::IsMember({"none", "springs", "rods"}))
             ->type_name("none|springs|rods");
     };
-    style("--structural", options.structural, "Links along edges; rods");
+    style("--structural", options.structural, "Links along edges; rods where threads carry");
     style("--shear", options.shear,
-          "Links across quads and pairs of triangles; where there are quads, rods (springs "
-          "without a shear stiffness)");
+          "Links across quads and pairs of triangles; where threads carry and there are quads, "
+          "rods (springs without a shear stiffness)");
     style("--bend", options.bend, "Links over two edges; none");
     command
         .add_option("--bend-stiffness", options.bendStiffness,

@@ -282,6 +282,19 @@ Material materialFrom(const Preset& preset)
     return material;
 }
 
+FabricKind carrierOf(const MeshFabric& fabric)
+{
+    const auto isChosen = [](const std::optional<LinkStyle>& style) {
+        return style.value_or(LinkStyle::None) != LinkStyle::None;
+    };
+    if (fabric.carrier)
+        return *fabric.carrier;
+    return isChosen(fabric.structural) || isChosen(fabric.shear)
+                   || !fabric.material.membraneStiffness
+               ? FabricKind::Threads
+               : FabricKind::Panels;
+}
+
 Weave defaultWeave(const PreparedMesh& mesh, const Material& material)
 {
     Weave weave;
@@ -298,7 +311,7 @@ Weave defaultWeave(const PreparedMesh& mesh, const Material& material)
 Weave weaveOf(const PreparedMesh& mesh, const MeshFabric& fabric)
 {
     Weave weave = defaultWeave(mesh, fabric.material);
-    if (fabric.carrier == FabricKind::Panels)
+    if (carrierOf(fabric) == FabricKind::Panels)
         weave = {LinkStyle::None, LinkStyle::None, LinkStyle::None};
     weave.structural = fabric.structural.value_or(weave.structural);
     weave.shear = fabric.shear.value_or(weave.shear);
@@ -358,7 +371,7 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
         if (!weaveInto(network, surface, weave, materials, *density,
                        stageOf(progress, double(i) / count, double(i + 1) / count)))
             return Failure{"The import was cancelled."};
-        if (fabric.carrier == FabricKind::Panels)
+        if (carrierOf(fabric) == FabricKind::Panels)
             network.carryByPanels();
         const Part& part = network.part();
         result.particles += part.particles.size();

@@ -55,10 +55,10 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
 // A material of the scene, or a new one.
 struct MeshFabric
 {
-    Id existing{};                 // noId for the new one
-    Material material;             // as it is in the scene, or is to be
-    std::optional<double> density; // kg/m^2, where the material does not say
-    FabricKind carrier = FabricKind::Threads;
+    Id existing{};                       // noId for the new one
+    Material material;                   // as it is in the scene, or is to be
+    std::optional<double> density;       // kg/m^2, where the material does not say
+    std::optional<FabricKind> carrier;   // absent: carrierOf()
     bool isPerFileMaterial = false;      // one new material for each of the file, with its name,
                                          // colour and picture and the numbers of `material`; where
                                          // the file has one only, the new one has its picture
@@ -70,6 +70,11 @@ struct MeshFabric
 
 // A new material called "fabric", with the numbers of the preset.
 Material materialFrom(const Preset& preset);
+
+// What carries the pull where nobody chose: panels, for which the mesh makes no difference. Threads
+// where links along edges or across faces are chosen, and of a material without a membrane
+// stiffness, which a panel cannot do without.
+FabricKind carrierOf(const MeshFabric& fabric);
 
 // Rods along edges, which no stiffness makes unstable, and shear links where there are quads:
 // triangles resist shear as they are. Without a shear stiffness these are springs, so that they

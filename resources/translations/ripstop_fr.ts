@@ -3855,6 +3855,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
+        <source>Panels are elastic triangles with warp, weft and shear: they wrinkle as cloth does, and the mesh makes no difference. Threads are links along edges and across faces: three times as fast, and true along the edges of the mesh only.</source>
+        <translation>Les panneaux sont des triangles élastiques avec chaîne, trame et cisaillement : ils plissent comme le tissu, et le maillage n’y change rien. Les fils sont des liaisons le long des arêtes et en travers des faces : trois fois plus rapides, et justes seulement le long des arêtes du maillage.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
         <source>Pull carried by</source>
         <translation>Traction portée par</translation>
     </message>
@@ -3887,11 +3892,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="import_form.cpp"/>
         <source>Threads</source>
         <translation>Fils</translation>
-    </message>
-    <message>
-        <location filename="import_form.cpp"/>
-        <source>Threads are links along edges and across faces; they tear. Panels are elastic triangles with warp, weft and shear: they wrinkle as cloth does, and the mesh makes no difference.</source>
-        <translation>Les fils sont des liaisons le long des arêtes et en travers des faces ; ils se déchirent. Les panneaux sont des triangles élastiques avec chaîne, trame et cisaillement : ils plissent comme le tissu, et le maillage n’y change rien.</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>

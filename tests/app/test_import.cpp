@@ -108,7 +108,10 @@ private slots:
         auto* report = dialog.findChild<QListWidget*>("report");
         QCOMPARE(size->text(), spaced("1 m wide, 1 m high, 1 m deep"));
         QVERIFY2(counts->text().contains("8 particles"), qPrintable(counts->text()));
-        QVERIFY2(counts->text().contains("18 rods"), qPrintable(counts->text()));
+        QVERIFY2(counts->text().contains("12 panels"), qPrintable(counts->text()));
+        QVERIFY2(!counts->text().contains("rod"), qPrintable(counts->text()));
+        const auto* carrier = dialog.findChild<QComboBox*>("pullCarrier");
+        QCOMPARE(carrier->currentIndex(), int(FabricKind::Panels));
         QVERIFY2(counts->text().contains("282\u00a0g"),
                  qPrintable(counts->text())); // 6 m^2, 47 g/m^2
         QCOMPARE(report->count(), 1);
@@ -132,6 +135,7 @@ private slots:
         dialog.findChild<QComboBox*>("structural")->setCurrentIndex(int(LinkStyle::Springs));
         QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("18 springs"), qPrintable(counts->text()),
                                   patience);
+        QCOMPARE(carrier->currentIndex(), int(FabricKind::Threads)); // which such links are
     }
 
     void dialogRefusesInASentence()

@@ -65,10 +65,11 @@ inline PreparedMesh preparedOf(const PolygonMesh& mesh, const MeshShape& shape =
     return *result;
 }
 
-// The fabric without any choice made: it has rods along its edges.
+// Fabric of threads, with no other choice made: it has rods along its edges.
 inline MeshFabric plainFabric(double density = 0.1)
 {
     MeshFabric fabric;
+    fabric.carrier = FabricKind::Threads;
     fabric.material.membraneStiffness = 1000.0;
     fabric.material.shearStiffness = 100.0;
     fabric.material.arealDensity = density;

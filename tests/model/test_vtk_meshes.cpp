@@ -90,14 +90,22 @@ private slots:
     void becomesFabric()
     {
         const QString scene = write("sail.ripstop.json", "");
-        const Outcome outcome = call({"import", write("sail.vtp", polyData()), "--preset",
-                                      "skytex_27", "-o", scene, "--json"});
-        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
-        const QJsonObject info = call({"info", scene, "--json"}).json();
-        QCOMPARE(info["particles"].toInt(), 5);
-        QCOMPARE(info["panels"].toInt(), 2);
-        QCOMPARE(info["mass"].toDouble(), 1.5);
-        QCOMPARE(info["links"].toInt(), 5 + 2); // the sides of two triangles, and the bridle
+        for (const bool threads : {false, true}) {
+            QStringList import{
+                "import", write("sail.vtp", polyData()), "--preset", "skytex_27", "-o", scene,
+                "--json"};
+            if (threads)
+                import << "--fabric"
+                       << "threads";
+            const Outcome outcome = call(import);
+            QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
+            const QJsonObject info = call({"info", scene, "--json"}).json();
+            QCOMPARE(info["particles"].toInt(), 5);
+            QCOMPARE(info["panels"].toInt(), 2);
+            QCOMPARE(info["mass"].toDouble(), 1.5);
+            // the bridle, and the sides of two triangles
+            QCOMPARE(info["links"].toInt(), threads ? 2 + 5 : 2);
+        }
     }
 
     void ownFilesComeBack()

@@ -162,11 +162,13 @@ void ImportForm::addFabricRows(QFormLayout& form)
     m_carrier = new QComboBox;
     m_carrier->setObjectName(QStringLiteral("pullCarrier"));
     m_carrier->addItems({tr("Threads"), tr("Panels")});
+    m_carrier->setCurrentIndex(int(FabricKind::Panels));
     addRow(form, tr("Pull carried by"), m_carrier,
-           tr("Threads are links along edges and across faces; they tear. Panels are elastic "
-              "triangles with warp, weft and shear: they wrinkle as cloth does, and the mesh makes "
-              "no difference."));
+           tr("Panels are elastic triangles with warp, weft and shear: they wrinkle as cloth does, "
+              "and the mesh makes no difference. Threads are links along edges and across faces: "
+              "three times as fast, and true along the edges of the mesh only."));
     connect(m_carrier, &QComboBox::currentIndexChanged, this, [this] {
+        m_ownCarrier = true;
         m_ownStyle = {};
         emit changed();
     });
@@ -186,7 +188,6 @@ void ImportForm::addFabricRows(QFormLayout& form)
         m_styles[i]->addItems({tr("No links"), tr("Springs"), tr("Rods")});
         addRow(form, labels[i], m_styles[i], help[i]);
     }
-    m_styles[0]->setCurrentIndex(int(LinkStyle::Rods));
 }
 
 void ImportForm::fillUnits(bool isKnown)
@@ -281,7 +282,8 @@ MeshFabric ImportForm::fabric() const
     fabric.density = 1e-3 * m_density->value();
     if (choice.existing == noId)
         fabric.material.arealDensity = fabric.density;
-    fabric.carrier = FabricKind(m_carrier->currentIndex());
+    if (m_ownCarrier)
+        fabric.carrier = FabricKind(m_carrier->currentIndex());
     fabric.isPerFileMaterial = mayColor() && m_perMaterial->isChecked();
     std::optional<LinkStyle>* const styles[]{&fabric.structural, &fabric.shear, &fabric.bend};
     for (std::size_t i = 0; i < m_styles.size(); ++i)
@@ -332,6 +334,10 @@ void ImportForm::follow(const ImportOutcome& outcome)
     if (!m_ownWeld) {
         const QSignalBlocker quiet(m_weld);
         m_weld->setValue(1e3 * outcome.mesh->weldTolerance);
+    }
+    if (!m_ownCarrier) {
+        const QSignalBlocker quiet(m_carrier);
+        m_carrier->setCurrentIndex(int(outcome.carrier));
     }
     const LinkStyle styles[]{outcome.weave.structural, outcome.weave.shear, outcome.weave.bend};
     for (std::size_t i = 0; i < m_styles.size(); ++i)

@@ -66,6 +66,7 @@ private:
 
     std::vector<Choice> m_choices;
     bool m_ownWeld = false;           // typed, not by itself
+    bool m_ownCarrier = false;        // chosen, not by itself
     std::array<bool, 3> m_ownStyle{}; // chosen, not by itself
     bool m_unitIsKnown = false;
     std::size_t m_fileMaterials = 0; // that faces have

@@ -90,6 +90,7 @@ ImportOutcome ImportWork::work(const Job& job)
         if (!prepare(job, outcome, progress))
             return outcome;
         const ImportWish& wish = job.wish;
+        outcome.carrier = carrierOf(wish.fabric);
         outcome.weave = weaveOf(*outcome.mesh, wish.fabric);
         Result<MeshImport> made = fabricOf(*outcome.mesh, wish.fabric, wish.name, wish.surroundings,
                                            stageOf(progress, 0.7, 1.0));

@@ -41,7 +41,8 @@ struct ImportOutcome
     std::size_t materials = 0;                // that faces have
     std::shared_ptr<const PreparedMesh> mesh; // or null
     MeshImport made;
-    Weave weave; // as chosen, or by default
+    FabricKind carrier = FabricKind::Panels; // as chosen, or by default, as is the weave
+    Weave weave;
 };
 
 class ImportWork final : public QObject
