@@ -7,6 +7,7 @@
 // 4. Panels and the mass of the fabric come last. A cancelled import stops between stages.
 #include "author/mesh_network.h"
 
+#include "derived/flat_panel.h"
 #include "derived/link_stiffness.h"
 
 #include <Eigen/Geometry>
@@ -281,6 +282,27 @@ std::string_view linkStyleName(LinkStyle style)
 bool isCell(const PolygonMesh& mesh, std::size_t face)
 {
     return isConvexQuad(mesh.face(face), mesh.points);
+}
+
+std::vector<Vec3> warpsOf(const RepairedMesh& mesh)
+{
+    const PolygonMesh& faces = mesh.mesh;
+    std::vector<Vec3> warps;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto face = std::size_t(mesh.faceOf[i]);
+        const std::span<const int> corners = faces.face(face);
+        std::array<Vec3, 3> places;
+        std::array<TexturePoint, 3> texture{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int point = mesh.triangles[i][k];
+            places[k] = faces.points[std::size_t(point)];
+            const auto corner = std::ranges::find(corners, point) - corners.begin();
+            if (!faces.texture.empty())
+                texture[k] = faces.texture[std::size_t(faces.first[face] + corner)];
+        }
+        warps.push_back(uprightWarp(places, texture));
+    }
+    return warps;
 }
 
 bool weaveInto(Network& network, const RepairedMesh& mesh, const Weave& weave,

@@ -51,6 +51,10 @@ struct WeaveMaterials
     }
 };
 
+// [triangles] A way along which the warp runs on each, up the texture of its face: on a seam of the
+// texture its own, where the particles there have that of another face.
+std::vector<Vec3> warpsOf(const RepairedMesh& mesh);
+
 // Adds particles, links and panels of the mesh, and the mass of the fabric (density in kg/m^2) and
 // of lines; where the file says the masses of points, they hold instead. Lines only pull.
 // Panels come in the order of the triangles. Answers false when cancelled.

@@ -1,10 +1,12 @@
-// Repairs a mesh by seven stages, listed in make(): points that lie on each other are joined,
+// Repairs a mesh by eight stages, listed in make(): points that lie on each other are joined,
 // faces without area and then double faces are left out, then points that no face uses any more;
-// windings are made alike (mesh_winding.h), corners of the texture become points of it, and
+// points on sides of faces become corners of these (mesh_hanging.h), windings are made alike
+// (mesh_winding.h), corners of the texture become points of it, and
 // polygons become triangles. Each stage relies on those before it and reports what it did; between
 // stages the import may be cancelled. byObject() cuts a mesh into one for each object beforehand.
 #include "author/mesh_repair.h"
 
+#include "author/mesh_hanging.h"
 #include "author/mesh_winding.h"
 
 #include <Eigen/Geometry>
@@ -52,8 +54,8 @@ public:
         using Stage = void (Repair::*)();
         constexpr Stage stages[]{&Repair::joinPoints,     &Repair::keepSoundFaces,
                                  &Repair::dropDuplicates, &Repair::dropLoosePoints,
-                                 &Repair::windAlike,      &Repair::placeTexture,
-                                 &Repair::split};
+                                 &Repair::joinHanging,    &Repair::windAlike,
+                                 &Repair::placeTexture,   &Repair::split};
         double done = 0.0;
         for (const Stage stage : stages) {
             if (!goesOn(progress, done / double(std::size(stages))))
@@ -220,6 +222,8 @@ private:
             b = placeOf[std::size_t(b)];
         }
     }
+
+    void joinHanging() { joinHangingPoints(mesh(), m_tolerance, report()); }
 
     void windAlike()
     {

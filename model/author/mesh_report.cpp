@@ -18,6 +18,7 @@ struct Words
 const std::array<Words, meshFaultCount> table{{
     {"loose_vertices",     MeshGravity::Repaired, Message("1 vertex belongs to no face: left out."), Message("%1 vertices belong to no face: left out.")},
     {"duplicate_vertices", MeshGravity::Repaired, Message("1 vertex lies on another one: joined."), Message("%1 vertices lie on another one: joined.")},
+    {"hanging_vertices",   MeshGravity::Repaired, Message("1 vertex lies on a side of a face: joined to it."), Message("%1 vertices lie on sides of faces: joined to them.")},
     {"degenerate_faces",   MeshGravity::Repaired, Message("1 face has no area: left out."), Message("%1 faces have no area: left out.")},
     {"duplicate_faces",    MeshGravity::Repaired, Message("1 face has the corners of another one: left out."), Message("%1 faces have the corners of another one: left out.")},
     {"non_manifold_edges", MeshGravity::Warning,  Message("1 edge belongs to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there."), Message("%1 edges belong to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.")},
@@ -27,7 +28,7 @@ const std::array<Words, meshFaultCount> table{{
     {"several_shells",     MeshGravity::Note,     Message("The mesh is one piece."), Message("The mesh is %1 pieces that nothing joins. A larger weld tolerance may join them.")},
     {"open_edges",         MeshGravity::Note,     Message("1 edge belongs to one face only: the rim of the fabric."), Message("%1 edges belong to one face only: the rim of the fabric.")},
     {"split_polygons",     MeshGravity::Repaired, Message("1 polygon of more than three corners became triangles."), Message("%1 polygons of more than three corners became triangles.")},
-    {"texture_seams",      MeshGravity::Note,     Message("1 vertex lies on a seam of the texture: the first of its texture points was kept."), Message("%1 vertices lie on a seam of the texture: the first of their texture points was kept.")},
+    {"texture_seams",      MeshGravity::Note,     Message("1 vertex lies on a seam of the texture: a picture is printed by the first of its texture points. The warp follows each face."), Message("%1 vertices lie on a seam of the texture: a picture is printed by the first of their texture points. The warp follows each face.")},
     {"stray_elements",     MeshGravity::Note,     Message("1 line or single point of the file was left out."), Message("%1 lines and single points of the file were left out.")},
     {"odd_size",           MeshGravity::Warning,  Message("The mesh is larger than 200 m or smaller than 2 cm: check its unit."), Message("The mesh is larger than 200 m or smaller than 2 cm: check its unit.")},
 }};

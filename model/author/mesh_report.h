@@ -15,6 +15,7 @@ namespace ripstop {
 enum class MeshFault {
     LooseVertices,     // no face uses them: left out
     DuplicateVertices, // within the weld tolerance of another one: joined
+    HangingVertices,   // within the weld tolerance of a side of a face: made a corner of it
     DegenerateFaces,   // without area: left out
     DuplicateFaces,    // with the corners of another one: left out
     NonManifoldEdges,  // of more than two faces: kept, as where a keel meets a sail
@@ -24,11 +25,11 @@ enum class MeshFault {
     SeveralShells,     // pieces that nothing joins: kept
     OpenEdges,         // of one face: kept, as every sail has them
     SplitPolygons,     // of more than three corners: made triangles
-    TextureSeams,      // vertices with several texture points: the first one is kept
+    TextureSeams,      // vertices with several texture points: the picture keeps the first one
     StrayElements,     // lines and single points of the file: left out
     OddSize            // larger than a hangar or smaller than a coin: a wrong unit?
 };
-inline constexpr int meshFaultCount = 14;
+inline constexpr int meshFaultCount = 15;
 
 // "loose_vertices", ...: as scripts know them.
 std::string_view meshFaultName(MeshFault fault);

@@ -54,8 +54,10 @@ public:
     void addLinkMass(Id material, double density);
 
     // Has the panels so far carry the pull of the fabric, cut as they lie: the warp along the
-    // textures' v, or along what `warp` answers for the middle of a panel, projected onto it.
+    // textures' v, or along what `warp` answers for the middle of a panel, or along `warps`
+    // [panels], projected onto it.
     void carryByPanels();
+    void carryByPanels(std::span<const Vec3> warps);
     void carryByPanels(const std::function<Vec3(const Vec3& middle)>& warp);
 
     // Takes all links of these materials away.

@@ -92,14 +92,12 @@ void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     panel.grain = grainAlong(a, b, c, warp);
 }
 
-namespace {
-
-Vec3 uprightWarp(const Particle& a, const Particle& b, const Particle& c) // of any length
+Vec3 uprightWarp(const std::array<Vec3, 3>& corners, const std::array<TexturePoint, 3>& texture)
 {
-    const Vec3 ab = b.position - a.position;
-    const Vec3 ac = c.position - a.position;
-    const double ub = b.textureU - a.textureU, uc = c.textureU - a.textureU;
-    const double vb = b.textureV - a.textureV, vc = c.textureV - a.textureV;
+    const Vec3 ab = corners[1] - corners[0];
+    const Vec3 ac = corners[2] - corners[0];
+    const double ub = texture[1][0] - texture[0][0], uc = texture[2][0] - texture[0][0];
+    const double vb = texture[1][1] - texture[0][1], vc = texture[2][1] - texture[0][1];
     const double turn = ub * vc - uc * vb;
     const double largest = std::max({std::abs(ub), std::abs(uc), std::abs(vb), std::abs(vc)});
     const bool isPrinted = std::abs(turn) > thinnest * largest * largest && largest > 0.0;
@@ -110,16 +108,25 @@ Vec3 uprightWarp(const Particle& a, const Particle& b, const Particle& c) // of 
                      : Vec3(Vec3::UnitY());
 }
 
+namespace {
+
+Vec3 warpOf(const Particle& a, const Particle& b, const Particle& c)
+{
+    return uprightWarp(
+        {a.position, b.position, c.position},
+        {{{a.textureU, a.textureV}, {b.textureU, b.textureV}, {c.textureU, c.textureV}}});
+}
+
 } // namespace
 
 double uprightGrain(const Particle& a, const Particle& b, const Particle& c)
 {
-    return grainAlong(a.position, b.position, c.position, uprightWarp(a, b, c));
+    return grainAlong(a.position, b.position, c.position, warpOf(a, b, c));
 }
 
 void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c)
 {
-    layFlat(panel, a.position, b.position, c.position, uprightWarp(a, b, c));
+    layFlat(panel, a.position, b.position, c.position, warpOf(a, b, c));
 }
 
 } // namespace ripstop

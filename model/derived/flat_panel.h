@@ -50,8 +50,13 @@ Panel turnedOver(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c
 // onto the panel; a warp across it leaves the grain at 0.
 void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp);
 
-// The same, with the warp in the direction in which the picture that is printed on the fabric goes
-// up; where it has none, upright (y), and on what lies level along x.
+// A way, of any length, along which the picture goes up that lies on the corners a, b, c with these
+// texture points; where it has none, upright (y), and on what lies level along x.
+using TexturePoint = std::array<double, 2>; // u, v
+Vec3 uprightWarp(const std::array<Vec3, 3>& corners, const std::array<TexturePoint, 3>& texture);
+
+// The same as above with the warp in the direction in which the picture that is printed on the
+// fabric goes up.
 double uprightGrain(const Particle& a, const Particle& b, const Particle& c); // degrees
 void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c);
 

@@ -6,6 +6,8 @@
 // cancelling, and the time for a large mesh.
 #include "check/check.h"
 #include "compile/compile.h"
+#include "derived/flat_panel.h"
+#include "measure/diagnostics.h"
 #include "model/meshes.h"
 #include "registered_test.h"
 #include "shapes/mesh_file.h"
@@ -313,6 +315,71 @@ private slots:
         fabric.material.membraneStiffness.reset(); // threads of it do not stretch
         QCOMPARE(made().carrier, FabricKind::Threads);
         QVERIFY(problemsOf(sceneOf(mesh, fabric)).empty());
+    }
+
+    // Two squares side by side, each with a texture of its own, of which the right one lies at 45
+    // degrees: the warp of each panel goes up its own, also where they meet.
+    void warpFollowsEachFace()
+    {
+        const PreparedMesh mesh =
+            preparedOf(meshOf("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
+                              "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 0\nvt 6 1\nvt 5 2\nvt 4 1\n"
+                              "f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"));
+        QCOMPARE(mesh.report.count(MeshFault::TextureSeams), 2u);
+        const Part part = firstPart(sceneOf(mesh, untouchedFabric()));
+        QCOMPARE(part.panels.size(), 4u);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Panel& panel = part.panels[i];
+            const auto at = [&](Id id) { return findRow(part.particles, id)->position; };
+            const Vec3 a = at(panel.a), b = at(panel.b), c = at(panel.c);
+            const auto shares = warpShares(panel, a, b, c);
+            QVERIFY(bool(shares));
+            const Vec3 warp = (*shares)[0] * (b - a) + (*shares)[1] * (c - a);
+            const Vec3 wanted = i < 2 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 1.0, 0.0).normalized();
+            QVERIFY(warp.cross(wanted).norm() < 1e-9);
+        }
+    }
+
+    // What hangs on a side is sewn to it: a coarse half above a fine one, drawn by 500 N/m, has no
+    // panel that bears more. Open between the corners that both share, one bears twice that.
+    void coarseMeetsFine()
+    {
+        std::string text;
+        auto half = [&text, count = 0](int cells, double bottom, double top) mutable {
+            for (int i = 0; i <= cells; ++i)
+                for (const double y : {bottom, top})
+                    text +=
+                        "v " + std::to_string(double(i) / cells) + " " + std::to_string(y) + " 0\n";
+            for (int i = 0; i < cells; ++i) {
+                const int a = count + 2 * i + 1;
+                text += "f " + std::to_string(a) + " " + std::to_string(a + 2) + " "
+                        + std::to_string(a + 3) + " " + std::to_string(a + 1) + "\n";
+            }
+            count += 2 * (cells + 1);
+        };
+        half(4, 0.0, 0.25);
+        half(8, -0.125, 0.0);
+        MeshFabric fabric = untouchedFabric();
+        fabric.material.poissonRatio = 0.0; // held ends bear no more
+        Scene scene = sceneOf(preparedOf(meshOf(text.c_str())), fabric);
+        for (Entry& entry : scene.items)
+            if (Part* part = std::get_if<Part>(&entry.item))
+                for (Particle& particle : part->particles) {
+                    const Vec3& place = particle.position;
+                    particle.pinned = place.y() > 0.25 - 1e-9;
+                    const bool isCorner = place.x() < 1e-9 || place.x() > 1.0 - 1e-9;
+                    if (place.y() < -0.125 + 1e-9)
+                        particle.mass += 500.0 / standardGravity / (isCorner ? 16.0 : 8.0);
+                }
+        scene.settings.viscosity = 5.0;
+        const auto system = compile(scene);
+        QVERIFY(bool(system));
+        Simulation simulation(*system);
+        QVERIFY(simulation.runUntil(3.0));
+        double most = 0.0;
+        for (const PanelPull& pull : panelPulls(**system, simulation.state()))
+            most = std::max(most, pull.tension);
+        QVERIFY2(std::abs(most / 500.0 - 1.0) < 0.02, qPrintable(QString::number(most)));
     }
 
     // A mesh as it comes, of kite cloth as it comes, flown as a new scene is: a strip under a load

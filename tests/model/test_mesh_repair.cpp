@@ -36,6 +36,16 @@ private slots:
         row("a square with a vertex twice",
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n",
             MeshFault::DuplicateVertices, 2, 2);
+        row("a coarse square beside two fine ones",
+            square + "v 1 0.5 0\nv 2 0 0\nv 2 0.5 0\nv 2 1 0\nf 2 6 7 5\nf 5 7 8 3\n",
+            MeshFault::HangingVertices, 1, 7);
+        const QByteArray sail = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 0 1\nv 1 0 1\nv 2 0 1\n"
+                                "f 1 2 5 4\nf 2 3 6 5\n";
+        row("a keel along two squares of a sail", sail + "v 0 -1 0\nv 2 -1 0\nf 1 3 8 7\n",
+            MeshFault::HangingVertices, 1, 7);
+        row("a keel of two squares within a sail",
+            sail + "v 1 0 0.5\nv 1 -1 0\nv 1 -1 0.5\nv 1 -1 1\nf 2 7 9 8\nf 7 5 10 9\n",
+            MeshFault::HangingVertices, 1, 10);
         row("a face of one line", square + "v 2 0 0\nv 3 0 0\nf 2 5 6\n",
             MeshFault::DegenerateFaces, 1, 2);
         row("a face with a corner twice", square + "f 1 2 2\n", MeshFault::DegenerateFaces, 1, 2);
