@@ -207,8 +207,8 @@ double largestPanelStrain(const System& system, const State& state)
     double most = 0.0;
     for (const Membrane& membrane : system.membranes)
         if (!state.panelGone[std::size_t(membrane.panel)])
-            most = std::max(
-                most, largestStrain(system, membrane, cornersOf(system, membrane, state.position)));
+            most = std::max(most, threadElongation(system, membrane,
+                                                   cornersOf(system, membrane, state.position)));
     return most;
 }
 
@@ -220,8 +220,8 @@ double largestPanelStrain(const System& system, const State& state, std::span<co
         if (found == system.membranes.end() || found->panel != panel
             || state.panelGone[std::size_t(panel)])
             continue;
-        most = std::max(most,
-                        largestStrain(system, *found, cornersOf(system, *found, state.position)));
+        most = std::max(
+            most, threadElongation(system, *found, cornersOf(system, *found, state.position)));
     }
     return most;
 }

@@ -59,6 +59,12 @@ double pullAlongMost(const Vec3& tension, const Vec3& threads)
     return stretchOf(along) * largestTension(tension);
 }
 
+// 1, the larger of warp and weft, of threads of this strain of Green's.
+double longerBy(const Vec3& threads)
+{
+    return std::max(stretchOf(std::max(threads[0], threads[1])) - 1.0, 0.0);
+}
+
 } // namespace
 
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
@@ -124,7 +130,7 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
     const double warp = stretchOf(threads[0]), weft = stretchOf(threads[1]);
     return {true,
             now.state,
-            largestStrain(threads),
+            longerBy(threads),
             pullAlongMost(now.tension, threads),
             warp * now.tension[0],
             weft * now.tension[1],
@@ -139,10 +145,10 @@ double largestStrain(const Vec3& strain)
     return std::max(mean + std::sqrt(half * half + 0.25 * strain[2] * strain[2]), 0.0);
 }
 
-double largestStrain(const System& system, const Membrane& membrane, const Corners& corners)
+double threadElongation(const System& system, const Membrane& membrane, const Corners& corners)
 {
     const ClothLaw law = lawOf(system, membrane);
-    return law.isElastic() ? largestStrain(pullingStrain(law, strainAt(membrane, corners))) : 0.0;
+    return law.isElastic() ? longerBy(pullingStrain(law, strainAt(membrane, corners))) : 0.0;
 }
 
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,

@@ -70,8 +70,9 @@ double stretchOf(double strain);
 // What a strain stretches most, 1; 0 where it shortens all around.
 double largestStrain(const Vec3& strain);
 
-// The largest strain of the threads of a panel, 1; 0 where it is slack.
-double largestStrain(const System& system, const Membrane& membrane, const Corners& corners);
+// By how much the warp or the weft of a panel is longer than at rest, the larger of both, 1; 0
+// where neither is.
+double threadElongation(const System& system, const Membrane& membrane, const Corners& corners);
 
 // J, what the damping of a panel takes as it goes from one place to another within h, s.
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,

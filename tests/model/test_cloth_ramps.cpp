@@ -116,10 +116,10 @@ Extremes fly(Simulation& simulation, double seconds)
         for (const PaddedVec3& velocity : state.velocity)
             seen.speed = std::max(seen.speed, velocity.norm());
         for (const Membrane& membrane : simulation.system().membranes)
-            seen.strain =
-                std::max(seen.strain,
-                         largestStrain(simulation.system(), membrane,
-                                       cornersOf(simulation.system(), membrane, state.position)));
+            seen.strain = std::max(
+                seen.strain,
+                threadElongation(simulation.system(), membrane,
+                                 cornersOf(simulation.system(), membrane, state.position)));
     }
     return seen;
 }
