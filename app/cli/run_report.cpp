@@ -76,6 +76,7 @@ Json accuracyOf(const RunAccuracy& accuracy)
              {{"factor", accuracy.worst},
               {"time", accuracy.worstTime},
               {"link", accuracy.worstLink > 0 ? Json(accuracy.worstLink) : Json(nullptr)}}},
+            {"fastest_swing", accuracy.fastestSwing},
             {"met", accuracy.isMet()}};
 }
 
@@ -272,9 +273,11 @@ void printRunTable(const Json& result, const Layout& layout)
     printWorstMargin(result["loads"]);
     if (result.contains("settled")) {
         const Json& end = result["settled"];
-        printReportRow(end["still"].get<bool>() ? "settled after" : "not settled after",
-                       shortNumber(end["seconds"]) + " s; the fastest particle has "
-                           + shortNumber(end["speed"]) + " m/s");
+        const bool still = end["still"].get<bool>();
+        printReportRow(still ? "settled after" : "not settled after",
+                       shortNumber(end["seconds"]) + " s; the fastest particle "
+                           + (still ? "has " : "had ") + shortNumber(end["speed"]) + " m/s"
+                           + (still ? "" : " in the last half second"));
     }
     printReportRow("largest strain", shortNumber(result["max_strain"]));
     const Json& accuracy = result["accuracy"];
@@ -282,6 +285,9 @@ void printRunTable(const Json& result, const Layout& layout)
     printReportRow("error of pulls", percent(accuracy["reached"]) + ", wanted "
                                          + percent(accuracy["wanted"]) + "; missed in "
                                          + percent(accuracy["missed"]) + " of the steps");
+    if (const double fastest = accuracy["fastest_swing"].get<double>(); fastest > 0.0)
+        printReportRow("swings told truly",
+                       "up to " + Message::number("%.2g", fastest).english() + " Hz, within 1 %");
     printReportRow("energy", shortNumber(result["energy"]) + " J");
     printReportRow("hash", result["hash"].get<std::string>());
     const std::vector<std::string> names = distinctNames(layout.probes);

@@ -38,13 +38,17 @@ void Settler::look(Simulation& simulation)
     m_progress.speed = highestSpeed(simulation.system(), state);
     m_progress.kinetic = kinetic;
     m_progress.since = state.time - m_start;
-    if (m_progress.speed > m_goal.speed)
+    if (m_progress.speed > m_goal.speed) {
         m_still = state.time;
+        m_tooFast = m_progress.speed;
+    }
     const double roundOff = 1e-9; // s
     if (state.time - m_still >= m_goal.during - roundOff)
         m_progress.outcome = Settling::Outcome::Still;
     else if (m_progress.since >= m_goal.within - roundOff)
         m_progress.outcome = Settling::Outcome::GaveUp;
+    if (m_progress.outcome == Settling::Outcome::GaveUp)
+        m_progress.speed = std::max(m_progress.speed, m_tooFast);
 
     // Stiff links tremble on top of the motion that matters, and take up slack right after a halt:
     // neither is a peak.

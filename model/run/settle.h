@@ -31,7 +31,8 @@ class Settler
 public:
     Settler(const SettleGoal& goal, const Simulation& simulation);
 
-    // Call after each step. It may stop all motion.
+    // Call after each step. It may stop all motion. When it gives up, the speed in progress() is
+    // the last one that was too fast.
     void look(Simulation& simulation);
 
     const Settling& progress() const { return m_progress; }
@@ -42,10 +43,11 @@ public:
 private:
     SettleGoal m_goal;
     Settling m_progress;
-    double m_start = 0.0; // s
-    double m_still = 0.0; // s, since when
-    double m_peak = 0.0;  // J, of the kinetic energy since the last halt
-    int m_steps = 0;      // since then
+    double m_start = 0.0;   // s
+    double m_still = 0.0;   // s, since when
+    double m_tooFast = 0.0; // m/s, of the last moment that was not
+    double m_peak = 0.0;    // J, of the kinetic energy since the last halt
+    int m_steps = 0;        // since then
     std::uint64_t m_run = 0;
 };
 

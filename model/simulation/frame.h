@@ -104,7 +104,7 @@ struct Settling
 {
     enum class Outcome { Under, Still, GaveUp };
     Outcome outcome = Outcome::Under;
-    double speed = 0.0;   // m/s, of the fastest particle
+    double speed = 0.0;   // m/s, of the fastest particle; where it gave up, the last too fast
     double goal = 0.0;    // m/s
     double kinetic = 0.0; // J
     double since = 0.0;   // s, simulated, that it has taken

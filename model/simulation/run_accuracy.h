@@ -25,6 +25,7 @@ struct RunAccuracy
     double worst = 0.0;          // 1, how often the error was as large as it may be, at most
     double worstTime = 0.0;      // s
     std::uint32_t worstLink = 0; // id; 0 for none
+    double fastestSwing = 0.0;   // Hz, that the next step tells as it is: step/true_swings.h
 
     double missedShare() const { return steps > 0 ? double(missed) / double(steps) : 0.0; }
     bool isMet() const { return missedShare() <= mostMissed; }

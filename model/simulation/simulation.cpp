@@ -294,6 +294,7 @@ std::shared_ptr<Frame> Simulation::Private::frame()
     frame->time = state.time;
     frame->step = state.step;
     frame->accuracy = accuracy;
+    frame->accuracy.fastestSwing = stepper.fastestTrueSwing(system(), state);
     frame->solverChoice = stepper.choice(system());
     frame->substeps = stepper.substepsOf(system(), state);
     frame->hash = stateHash(state);

@@ -13,6 +13,7 @@
 #include "forces/gusts.h"
 #include "step/inputs.h"
 #include "step/particle_motion.h"
+#include "step/true_swings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,15 @@ void Stepper::prepare(const System& system, State& state)
 int Stepper::substepsOf(const System& system, const State& state) const
 {
     return chosenSubsteps(system, state) * m_refinement;
+}
+
+double Stepper::fastestTrueSwing(const System& system, const State& state) const
+{
+    if (m_serial != system.serial)
+        return 0.0;
+    const bool held = !system.rods.empty() || !system.membranes.empty();
+    return ripstop::fastestTrueSwing(m_integrator, held,
+                                     system.timeStep / substepsOf(system, state));
 }
 
 int Stepper::chosenSubsteps(const System& system, const State& state) const

@@ -72,6 +72,9 @@ public:
     // for.
     int substepsOf(const System& system, const State& state) const;
 
+    // Hz, likewise, of its substeps: step/true_swings.h. 0 before the first step.
+    double fastestTrueSwing(const System& system, const State& state) const;
+
     // What Solver::Auto began with and why, once there was a step; empty for other solvers.
     Message choice(const System& system) const
     {

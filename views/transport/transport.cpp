@@ -257,7 +257,11 @@ void Transport::refreshAccuracy()
         tr("Error of the pulls in links in the last step, against what their stiffness says: "
            "%1 %, wanted %2 %. Largest strain of rods that never stretch: %3 %, wanted %4 %.")
             .arg(percent(accuracy.pulls), percent(accuracy.wantedPulls), percent(accuracy.strain),
-                 percent(accuracy.wantedStrain));
+                 percent(accuracy.wantedStrain))
+        + QLatin1Char('\n')
+        + tr("Swings of up to %1 Hz are told within 1 % at this step; faster ones come out with "
+             "another frequency, or die away. A shorter time step tells them.")
+              .arg(QLocale().toString(accuracy.fastestSwing, 'g', 2));
     m_accuracy->setToolTip(
         accuracy.isMet() ? told : told + QLatin1String("\n") + translated(accuracy.complaint()));
 }

@@ -1,0 +1,35 @@
+#include "step/true_swings.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr double share = 0.01;
+
+double largestAngle(Integrator integrator, bool held) // rad, that a swing goes on in a substep
+{
+    if (integrator == Integrator::Bdf2)
+        return std::sqrt(3.0 * share);
+    if (held)
+        return 2.0 * share;
+    switch (integrator) {
+    case Integrator::ExplicitEuler:
+    case Integrator::ImplicitEuler:
+        return 2.0 * share;
+    case Integrator::RungeKutta4:
+        return std::pow(120.0 * share, 0.25);
+    default:
+        return std::sqrt(24.0 * share);
+    }
+}
+
+} // namespace
+
+double fastestTrueSwing(Integrator integrator, bool held, double substep)
+{
+    return largestAngle(integrator, held) / (2.0 * std::numbers::pi * substep);
+}
+
+} // namespace ripstop

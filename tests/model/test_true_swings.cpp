@@ -1,0 +1,133 @@
+// Up to which frequency a step says that it tells swings truly, against swings: a mass on a spring,
+// and on a rod that gives way as much, with each integrator. At that frequency it swings at the
+// right rate, and dies away by no more than is said; half as fast again it does not.
+#include "assembly/finish.h"
+#include "model/systems.h"
+#include "registered_test.h"
+#include "step/stepper.h"
+#include "step/true_swings.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace ripstop::test_true_swings {
+
+namespace {
+
+constexpr double timeStep = 1.0 / 240.0;
+constexpr int periods = 10;
+
+struct Swing
+{
+    double frequency; // over the true one
+    double damping;   // of the critical one; negative where it grows
+};
+
+// Zeros are looked for between steps, and sizes compared over as many periods each.
+Swing swingOf(const std::vector<double>& way, double frequency)
+{
+    std::vector<double> zeros; // steps
+    for (std::size_t i = 1; i < way.size(); ++i)
+        if (way[i - 1] < 0.0 && way[i] >= 0.0)
+            zeros.push_back(double(i) - way[i] / (way[i] - way[i - 1]));
+    const double period = (zeros.back() - zeros.front()) / double(zeros.size() - 1) * timeStep;
+    const auto size = [&](std::size_t window) {
+        const auto steps = std::size_t(std::round(periods / frequency / timeStep));
+        double square = 0.0;
+        for (std::size_t i = window * steps; i < (window + 1) * steps; ++i)
+            square += way[i] * way[i];
+        return std::sqrt(square);
+    };
+    return {1.0 / (period * frequency),
+            std::log(size(0) / size(1)) / (2.0 * std::numbers::pi * periods)};
+}
+
+Swing swingOf(Integrator integrator, bool held, double frequency)
+{
+    System system = emptySystem(timeStep, integrator);
+    const double omega = 2.0 * std::numbers::pi * frequency;
+    const double stiffness = omega * omega; // N/m, of 1 kg
+    const int pin = addPin(system, Vec3::Zero());
+    const int bob = addParticle(system, {1.001, 0.0, 0.0}, 1.0);
+    if (held) {
+        system.solver = Solver::Direct;
+        addRod(system, pin, bob, 1.0, 1.0 / stiffness);
+    } else {
+        addSpring(system, pin, bob, 1.0, stiffness);
+    }
+    finish(system);
+    Stepper stepper;
+    State state = system.start;
+    std::vector<double> way;
+    const auto steps = std::size_t(2.2 * periods / frequency / timeStep);
+    for (std::size_t i = 0; i < steps; ++i) {
+        way.push_back(state.position[std::size_t(bob)].x() - 1.0);
+        stepper.step(system, state);
+    }
+    return swingOf(way, frequency);
+}
+
+} // namespace
+
+class TestTrueSwings : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void tellsTheFastest_data()
+    {
+        QTest::addColumn<Integrator>("integrator");
+        QTest::addColumn<bool>("held");
+        const auto row = [](Integrator integrator, bool held) {
+            QTest::addRow("%s, %s", choiceNames<Integrator>[std::size_t(integrator)].data(),
+                          held ? "rod" : "spring")
+                << integrator << held;
+        };
+        for (const Integrator integrator :
+             {Integrator::ExplicitEuler, Integrator::SemiImplicitEuler, Integrator::Verlet,
+              Integrator::VelocityVerlet, Integrator::RungeKutta4})
+            row(integrator, false);
+        for (const Integrator integrator :
+             {Integrator::SemiImplicitEuler, Integrator::ImplicitEuler, Integrator::Bdf2})
+            row(integrator, true);
+    }
+
+    void tellsTheFastest()
+    {
+        QFETCH(Integrator, integrator);
+        QFETCH(bool, held);
+        const double fastest = fastestTrueSwing(integrator, held, timeStep);
+        const auto errorAt = [&](double frequency) {
+            const Swing swing = swingOf(integrator, held, frequency);
+            return std::max(std::abs(swing.frequency - 1.0), std::abs(swing.damping));
+        };
+        const double at = errorAt(fastest);
+        QVERIFY2(at < 0.011, qPrintable(QString::number(at)));
+        const double above = errorAt(1.5 * fastest);
+        QVERIFY2(above > 0.012, qPrintable(QString::number(above)));
+    }
+
+    // The step that a new scene gets says so of itself: a cord that is solved together by BDF2.
+    void stepperSaysIt()
+    {
+        System system = emptySystem(timeStep, Integrator::Bdf2);
+        system.solver = Solver::Direct;
+        addPin(system, Vec3::Zero());
+        addRod(system, 0, addParticle(system, {1.0, 0.0, 0.0}, 1.0), 1.0, 1e-4);
+        finish(system);
+        Stepper stepper;
+        State state = system.start;
+        QCOMPARE(stepper.fastestTrueSwing(system, state), 0.0); // it has not chosen yet
+        stepper.step(system, state);
+        QCOMPARE(stepper.fastestTrueSwing(system, state),
+                 fastestTrueSwing(Integrator::Bdf2, true, timeStep));
+    }
+};
+
+const RegisteredTest registered("test_true_swings", runWithCore<TestTrueSwings>);
+
+} // namespace ripstop::test_true_swings
+#include "test_true_swings.moc"
