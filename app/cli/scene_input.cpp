@@ -3,7 +3,7 @@
 #include "cli/scene_input.h"
 
 #include "check/check.h"
-#include "check/unknown_items.h"
+#include "check/unknown.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
 #include "simulation/simulation.h"

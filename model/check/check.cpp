@@ -16,7 +16,7 @@
 #include "check/step_limits.h"
 #include "check/tear_check.h"
 #include "check/thread_check.h"
-#include "check/unknown_items.h"
+#include "check/unknown.h"
 #include "derived/canopy_shape.h"
 #include "derived/collider_shape.h"
 #include "derived/fabric_picture.h"
@@ -101,7 +101,7 @@ public:
         checkTearing(m_scene, adding());
         checkThreads(m_scene, adding());
         checkFlutter(m_scene, adding());
-        checkUnknownItems(m_scene, adding());
+        checkUnknown(m_scene, m_index, adding());
         if (!hasParticles(m_scene))
             add("empty", Severity::Warning,
                 Message("The scene has no particles: insert a part or import a mesh."), noId);

@@ -1,7 +1,8 @@
-// Items of types that this version does not know: kept where they are, named, and never in the way.
+// Items of types and keys that this version does not know: kept where they are, named, and never
+// in the way.
 //
-// Stages: a scene with two of them, written, edited and written again; many of them; and what
-// points at one.
+// Stages: a scene with two items of them, written, edited and written again; many of them; what
+// points at one; then keys.
 #include "model/scene_texts.h"
 #include "registered_test.h"
 
@@ -105,6 +106,29 @@ private slots:
         QVERIFY2(said.contains("Probe 8: target points at 7 of the type sail, which this version "
                                "does not know; choose another or remove it."),
                  qPrintable(said.join('\n')));
+        QVERIFY(*parseScene(sceneText(*scene), "again") == *scene);
+    }
+
+    // A slip of the hand in a file would leave a number at its default without a word.
+    void keysAreNamed()
+    {
+        QString text = withItems("{\"type\": \"wind\", \"id\": 3, \"gusts\": 1},\n{\"type\": "
+                                 "\"part\", \"id\": 4, \"particles\": [{\"id\": 5, \"mas\": 2}, "
+                                 "{\"id\": 6, \"mas\": 2}, {\"id\": 7}]}");
+        text.replace("\"version\"", "\"author\": \"me\", \"settings\": {\"substepz\": 32}, "
+                                    "\"version\"");
+        const Result<Scene> scene = parseScene(text.toStdString(), "test");
+        QVERIFY2(scene, scene ? "" : scene.message().english().c_str());
+        const QStringList said = problemsIn(*scene);
+        const auto unknown = [](const QString& where, const QString& key) {
+            return where + ": this version does not know the key \"" + key
+                   + "\"; it is kept as it is and does nothing.";
+        };
+        for (const QString& expected :
+             {unknown("Settings", "substepz") + " Did you mean \"substeps\"?",
+              unknown("File", "author"), unknown("Wind 3", "gusts"),
+              unknown("Particle 5 and others, 2 in all", "mas") + " Did you mean \"mass\"?"})
+            QVERIFY2(said.contains(expected), qPrintable(said.join('\n')));
         QVERIFY(*parseScene(sceneText(*scene), "again") == *scene);
     }
 };
