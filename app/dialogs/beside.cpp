@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
@@ -12,9 +14,12 @@ constexpr int belowToolBar = 96; // pixels, from the upper edge
 
 void moveBesideDesign(QWidget& dialog, const QWidget* window)
 {
-    if (window)
-        dialog.move(window->geometry().right() - dialog.width() - fromEdge,
-                    window->geometry().top() + belowToolBar);
+    if (!window)
+        return;
+    // one that is not shown yet grows to what its words need, in French more than in English
+    const int width = std::max(dialog.width(), dialog.minimumSizeHint().width());
+    dialog.move(window->geometry().right() - width - fromEdge,
+                window->geometry().top() + belowToolBar);
 }
 
 } // namespace ripstop

@@ -18,6 +18,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
@@ -56,6 +57,12 @@ QWidget* inOneRow(std::initializer_list<QWidget*> widgets)
 bool wasDoneByHand(const Frame* frame)
 {
     return frame && !(frame->commands.empty() && frame->hands.empty());
+}
+
+// ".csv" of "_tears.csv".
+QString extensionOf(const ExportChoice& choice)
+{
+    return choice.ending.mid(choice.ending.lastIndexOf('.'));
 }
 
 } // namespace
@@ -99,6 +106,7 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
     connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportDialog::start);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
     m_target->setAccessibleName(tr("File"));
+    connect(m_target, &QLineEdit::textEdited, this, &ExportDialog::followEnding);
     connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::showPreview);
     for (QDoubleSpinBox* box : {m_from, m_to, m_fps, m_speed})
         connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showPreview);
@@ -201,8 +209,7 @@ void ExportDialog::layOut()
 // The file always has the extension of the chosen format, because exporters go by it.
 QString ExportDialog::target() const
 {
-    const QString ending = choice().ending;
-    const QString extension = ending.mid(ending.lastIndexOf('.'));
+    const QString extension = extensionOf(choice());
     const QString typed = m_target->text();
     return typed.endsWith(extension, Qt::CaseInsensitive) ? typed : typed + extension;
 }
@@ -255,11 +262,28 @@ void ExportDialog::chooseSource()
     chooseFormat();
 }
 
+// The ending that is typed says which format, as it does in the terminal: of several with the same
+// one that which is chosen, or the first. The name stays when another format is chosen after it.
+void ExportDialog::followEnding(const QString& typed)
+{
+    const auto has = [&typed](const ExportChoice& choice) {
+        return typed.endsWith(choice.ending, Qt::CaseInsensitive);
+    };
+    m_stem = has(choice()) ? typed.chopped(choice().ending.size()) : typed;
+    if (typed.endsWith(extensionOf(choice()), Qt::CaseInsensitive))
+        return;
+    const auto meant = std::ranges::find_if(m_choices, has);
+    if (meant == m_choices.end())
+        return;
+    m_stem = typed.chopped(meant->ending.size());
+    m_format->setCurrentIndex(int(meant - m_choices.begin()));
+}
+
 // Whole rows of the form are hidden, which QFormLayout can do since Qt 6.4.
 void ExportDialog::chooseFormat()
 {
     const ExportChoice& chosen = choice();
-    if (!m_target->text().endsWith(chosen.ending) || m_target->text().isEmpty())
+    if (!m_target->text().endsWith(chosen.ending, Qt::CaseInsensitive))
         m_target->setText(m_stem + chosen.ending);
     m_note->setText(chosen.note);
     m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // the longest has two
@@ -310,8 +334,7 @@ void ExportDialog::showPreview()
 
 void ExportDialog::browse()
 {
-    const QString ending = choice().ending;
-    const QString extension = ending.mid(ending.lastIndexOf('.'));
+    const QString extension = extensionOf(choice());
     const QString file =
         askWhereToSave(this, tr("Export as"), m_target->text(), "*" + extension, extension.mid(1));
     if (file.isEmpty())

@@ -82,6 +82,7 @@ private:
     };
 
     void layOut();
+    void followEnding(const QString& typed);
     void chooseFormat();
     void chooseSource();
     void showPreview();
@@ -107,7 +108,7 @@ private:
     const MeshAppearance m_appearance; // of it
     const std::shared_ptr<const Frame> m_now;
     const std::shared_ptr<const Recording> m_recording;
-    const QString m_stem;
+    QString m_stem; // without an ending, as given or as typed
     const Draw m_draw;
     const QSize m_view;
     const std::vector<ExportChoice> m_choices;

@@ -13,6 +13,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QImage>
+#include <QLineEdit>
 #include <QTemporaryDir>
 
 namespace ripstop::test_export_dialog {
@@ -104,6 +105,30 @@ private slots:
         const Outcome flown = call({"run", file, "--json"});
         QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
         QCOMPARE(flown.json()["hash"].toString().toStdString(), bundle->manifest.hashAtEnd);
+    }
+
+    // What is typed names the format, and stays when another one is chosen after it.
+    void endingThatIsTypedIsTheFormat()
+    {
+        ExportShop shop;
+        shop.open(false);
+        auto* box = shop.dialog->findChild<QComboBox*>();
+        auto* file = shop.dialog->findChild<QLineEdit*>();
+        QVERIFY(file->accessibleName() == "File");
+        file->selectAll();
+        QTest::keyClicks(file, shop.folder.filePath("gust.glb"));
+        QCOMPARE(shop.dialog->ending(), ".glb");
+        QCOMPARE(file->text(), shop.folder.filePath("gust.glb"));
+        shop.choose("Table of what has torn, CSV");
+        QCOMPARE(file->text(), shop.folder.filePath("gust_tears.csv"));
+        // of the tables that end so, the one that is chosen stays
+        file->selectAll();
+        QTest::keyClicks(file, shop.folder.filePath("broken.csv"));
+        QCOMPARE(box->currentText(), "Table of what has torn, CSV");
+        file->selectAll();
+        QTest::keyClicks(file, shop.folder.filePath("sail.OBJ"));
+        QCOMPARE(shop.dialog->ending(), ".obj");
+        QCOMPARE(file->text(), shop.folder.filePath("sail.OBJ"));
     }
 
     // The fields know where the recording begins and ends; every frame is one that was flown.

@@ -81,7 +81,10 @@ private slots:
         shop.fly(1.0);
         const auto live = shop.player.frame();
         shop.runs.seekTime(0.5);
+        const auto* back = shop.timeline.findChild<QToolButton*>("backToLive");
+        QVERIFY(!back->isEnabled());
         QTRY_VERIFY(shop.looksAt(0.5));
+        QVERIFY(back->isEnabled());
         QVERIFY(shop.player.frame()->position != live->position);
 
         // keys of the strip: a frame, ten, the ends
@@ -104,6 +107,20 @@ private slots:
         QVERIFY(!shop.player.isLookingBack());
         QCOMPARE(shop.player.frame(), live);
         QCOMPARE(shop.viewport.frame(), live);
+
+        // the strip leaves that key to the window, though it has a key End of its own
+        const auto isTaken = [&strip](Qt::KeyboardModifiers modifiers) {
+            QKeyEvent asks(QEvent::ShortcutOverride, Qt::Key_End, modifiers);
+            asks.ignore();
+            QApplication::sendEvent(&strip, &asks);
+            return asks.isAccepted();
+        };
+        QVERIFY(isTaken(Qt::NoModifier));
+        QVERIFY(!isTaken(Qt::AltModifier));
+        const std::size_t stood = shop.runs.frame();
+        QTest::keyClick(&strip, Qt::Key_End, Qt::AltModifier);
+        QVERIFY(!shop.player.isLookingBack());
+        QCOMPARE(shop.runs.frame(), stood);
     }
 
     // Playing on leaves the past, and the run goes on where it stood.

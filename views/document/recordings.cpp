@@ -323,9 +323,11 @@ void Recordings::take()
         emit failed(translated(shown->failure));
         return;
     }
-    m_showsPast = true;
+    const bool isNew = !std::exchange(m_showsPast, true);
     m_player.lookAt(shown->frame);
     emit ghostsShown(shown->ghosts);
+    if (isNew)
+        emit stateChanged(); // there is a way back from now on
 }
 
 void Recordings::setGhost(std::shared_ptr<Recording> recording)

@@ -114,7 +114,7 @@ signals:
     void certified();    // there is another certificate of the design
     void grew();         // the current recording has more frames, or other bookmarks
     void moved();        // where one looks
-    void stateChanged(); // playing, loop, computing
+    void stateChanged(); // playing, loop, computing, looking back or not
     void failed(const QString& why);
     void said(const QString& words); // what has been done, for the status bar
     // An event has been jumped to; `more` further events belong to the same frame.

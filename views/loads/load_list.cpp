@@ -96,6 +96,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         for (const Column column : {Margin, Load, Strength, Time})
             item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
+    scheduleDelayedItemsLayout(); // columns follow longer numbers only when rows are laid out
 }
 
 } // namespace ripstop

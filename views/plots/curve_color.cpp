@@ -19,7 +19,12 @@ bool isDark(const QPalette& palette) { return palette.color(QPalette::Base).ligh
 QColor curveColor(int n, const QPalette& palette)
 {
     const auto& colors = isDark(palette) ? onDark : onLight;
-    return QColor(colors[std::size_t(n) % colors.size()]);
+    const QColor color(colors[std::size_t(n) % colors.size()]);
+    const bool isShade = std::size_t(n) / colors.size() % 2 == 1;
+    if (!isShade)
+        return color;
+    const float lightness = color.lightnessF() * (isDark(palette) ? 0.8F : 0.55F);
+    return QColor::fromHslF(color.hslHueF(), color.hslSaturationF(), lightness);
 }
 
 } // namespace ripstop

@@ -51,6 +51,12 @@ QString timeText(double time, double tick)
     return QLocale().toString(time, 'f', decimals);
 }
 
+// With these keys another one means something to the window.
+bool isShortcut(const QKeyEvent& event)
+{
+    return event.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
+}
+
 } // namespace
 
 TimelineStrip::TimelineStrip(Recordings& recordings, QWidget* parent)
@@ -304,6 +310,8 @@ void TimelineStrip::wheelEvent(QWheelEvent* event)
 void TimelineStrip::keyPressEvent(QKeyEvent* event)
 {
     const auto& recording = m_recordings.current();
+    if (isShortcut(*event))
+        return QWidget::keyPressEvent(event);
     const std::ptrdiff_t step = event->modifiers() & Qt::ShiftModifier ? leap : 1;
     const auto end = recording ? std::ptrdiff_t(recording->frameCount()) : 0;
     switch (event->key()) {
@@ -327,10 +335,10 @@ void TimelineStrip::keyPressEvent(QKeyEvent* event)
 bool TimelineStrip::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) { // keys belong to it while it has the focus
-        const int key = static_cast<QKeyEvent*>(event)->key();
+        const auto* pressed = static_cast<QKeyEvent*>(event);
         for (const int mine : {Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End,
                                Qt::Key_PageUp, Qt::Key_PageDown})
-            if (key == mine)
+            if (pressed->key() == mine && !isShortcut(*pressed))
                 event->accept();
         return QWidget::event(event);
     }
