@@ -11,13 +11,16 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace ripstop {
 namespace {
 
 constexpr std::size_t mostEachWithEach = 100; // particles; 4950 links
 
-constexpr std::array<std::string_view, 3> ways{"in_a_line", "in_a_ring", "each_with_each"};
+constexpr std::array<std::string_view, 4> ways{"in_a_line", "in_a_ring", "each_with_each",
+                                               "all_to_one"};
 constexpr std::array<std::string_view, 3> kinds{"rod", "line_(pulls_only)", "spring"};
 constexpr std::array<std::string_view, 2> materials{"that_of_the_neighbours", "a_new_one"};
 constexpr std::array<std::string_view, 3> threads{"none", "rods", "springs"};
@@ -25,7 +28,7 @@ constexpr std::array<std::string_view, 3> hubPlaces{"both_sides", "one_side", "t
 
 // clang-format off
 constexpr std::array linkParameters{
-    Parameter{"way",      "", 0, 0, 2, true, "Through all in a line, on to the first again, or every one with every other.", {}, ways},
+    Parameter{"way",      "", 0, 0, 3, true, "Through all in a line, on to the first again, every one with every other, or all to the one that is no corner of a panel: bridle lines to a tow point.", {}, ways},
     Parameter{"kind",     "", 0, 0, 2, true, "Rods keep their length, lines only do not grow longer, springs pull with a force.", {}, kinds},
     Parameter{"material", "", 0, 0, 1, true, "That of links at these particles, where there are any, or a new one.", {}, materials},
 };
@@ -85,6 +88,18 @@ Result<Shaped> finished(Drawing& drawing, const Message& label, const Message& n
     return Shaped{drawing.finish(label), std::move(made)};
 }
 
+// The only one of them that is no corner of a panel; nothing where there are several or none.
+std::optional<Id> hubOf(const Scene& scene, const std::vector<Id>& particles)
+{
+    std::set<Id> apart(particles.begin(), particles.end());
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Panel& panel : part.panels)
+            for (const Id corner : {panel.a, panel.b, panel.c})
+                apart.erase(corner);
+    });
+    return apart.size() == 1 ? std::optional(*apart.begin()) : std::nullopt;
+}
+
 Result<Shaped> link(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
 {
     const std::vector<Id> particles = particlesOf(scene, ids);
@@ -103,7 +118,15 @@ Result<Shaped> link(const Scene& scene, const std::vector<Id>& ids, const Parame
         for (std::size_t a = 0; a < particles.size(); ++a)
             for (std::size_t b = a + 1; b < particles.size(); ++b)
                 drawing.link(particles[a], particles[b], stroke);
-    else {
+    else if (way == 3) {
+        const std::optional<Id> hub = hubOf(scene, particles);
+        if (!hub)
+            return Failure("All to one needs exactly one particle that is no corner of a panel, as "
+                           "a tow point is: select it together with those that it holds.");
+        for (const Id particle : particles)
+            if (particle != *hub)
+                drawing.link(particle, *hub, stroke);
+    } else {
         const std::vector<Id> path = way == 1 ? inRing(scene, particles) : inLine(scene, particles);
         for (std::size_t i = 1; i < path.size(); ++i)
             drawing.link(path[i - 1], path[i], stroke);

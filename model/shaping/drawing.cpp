@@ -320,8 +320,13 @@ Edit Drawing::finish(Message label)
 
 std::vector<Id> inLine(const Scene& scene, const std::vector<Id>& particles)
 {
-    if (std::vector<Id> line = Neighbours(scene, particles).walk(false); !line.empty())
+    Neighbours ties(scene, particles);
+    if (std::vector<Id> line = ties.walk(false); !line.empty())
         return line;
+    ties.addPanelSides(scene);
+    for (const bool isRing : {false, true})
+        if (std::vector<Id> line = ties.walk(isRing); !line.empty())
+            return line;
     const Movable movable = movableOf(scene, particles, Ties::Left);
     const Vec3 along = ownAxes(movable).col(0);
     std::vector<std::pair<double, Id>> places;

@@ -78,8 +78,8 @@ private:
 Id linkMaterialAt(const Scene& scene, const std::vector<Id>& particles);
 Id panelMaterialAt(const Scene& scene, const std::vector<Id>& particles);
 
-// The particles in the order in which one would draw through them: along links from an end where
-// they form a line or a ring, else along their greatest extent.
+// The particles in the order in which one would draw through them: along links, or along the sides
+// of panels, where these form a line or a ring, else along their greatest extent.
 std::vector<Id> inLine(const Scene& scene, const std::vector<Id>& particles);
 
 // The particles around the hole that they bound: along links or the sides of panels where these

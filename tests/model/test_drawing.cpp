@@ -8,6 +8,7 @@
 #include "builders/builder.h"
 #include "registered_test.h"
 #include "shaping/drawing.h"
+#include "shaping/operation.h"
 
 #include <QtTest>
 
@@ -122,6 +123,44 @@ private slots:
         Drawing more(sheet.scene);
         QCOMPARE(more.link(sheet.nodes[0], sheet.nodes[1], stroke), noId);
         QVERIFY(more.finish(Message("Draw")).changes.empty());
+    }
+
+    // A bridle: the corners of a sail to the particle that is none, and nothing between them.
+    void tiesAllToOne()
+    {
+        std::vector<Vec3> places = square;
+        places.push_back({0.5, 0.5, -2.0});
+        Sheet sheet(places);
+        Drawing drawing(sheet.scene);
+        drawing.panel(sheet.nodes[0], sheet.nodes[1], sheet.nodes[2], sheet.material);
+        drawing.panel(sheet.nodes[0], sheet.nodes[2], sheet.nodes[3], sheet.material);
+        (void)apply(sheet.scene, drawing.finish(Message("Draw")));
+        const Operation* operation = findOperation("link");
+        QVERIFY(operation);
+        const Parameters values{{"way", 3}, {"kind", 1}, {"material", 1}};
+        const auto tied = operation->apply(sheet.scene, sheet.nodes, values);
+        QVERIFY2(bool(tied), tied ? "" : tied.message().english().c_str());
+        (void)apply(sheet.scene, tied->edit);
+        QCOMPARE(sheet.rows().links.size(), 4U);
+        for (const Link& link : sheet.rows().links) {
+            QVERIFY(link.from == sheet.nodes[4] || link.to == sheet.nodes[4]);
+            QCOMPARE(link.resists, Resists::Tension);
+        }
+        // a sail alone has no such particle
+        QVERIFY(!operation->apply(sheet.scene, {sheet.nodes[0], sheet.nodes[1], sheet.nodes[2]},
+                                  values));
+    }
+
+    // Along the rim of a sail of panels, which has no links that would tell the order.
+    void goesAlongSidesOfPanels()
+    {
+        Sheet sheet(square);
+        Drawing drawing(sheet.scene);
+        drawing.panel(sheet.nodes[0], sheet.nodes[1], sheet.nodes[2], sheet.material);
+        drawing.panel(sheet.nodes[0], sheet.nodes[2], sheet.nodes[3], sheet.material);
+        (void)apply(sheet.scene, drawing.finish(Message("Draw")));
+        const std::vector<Id> hem{sheet.nodes[1], sheet.nodes[2], sheet.nodes[3]};
+        QCOMPARE(inLine(sheet.scene, hem), hem);
     }
 
     void ropeHasItsLengthAndMass()
