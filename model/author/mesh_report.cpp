@@ -1,3 +1,5 @@
+// The words for each fault of a mesh are one table, in the order of MeshFault; the report counts
+// faults, remembers the first places of each, and lists the grave ones first.
 #include "author/mesh_report.h"
 
 #include <algorithm>

@@ -323,8 +323,8 @@ private slots:
         const QJsonObject both = call({"info", scene, "--json"}).json();
         QCOMPARE(both["particles"].toInt(), 16);
         QCOMPARE(both["parts"].toArray().size(), 2);
-        // the second has threads, as links across faces were asked for: 18 edges, the other diagonal
-        // of each side, and across the edges of the cube its four diagonals
+        // the second has threads, as links across faces were asked for: 18 edges, the other
+        // diagonal of each side, and across the edges of the cube its four diagonals
         QCOMPARE(both["links"].toInt(), 18 + 6 + 4);
     }
 
