@@ -58,6 +58,12 @@ Result<SpecimenSize> sizeOf(const FitOptions& options)
     const Result<double> width = quantity("--width", options.width, "m");
     if (!width)
         return width.failure();
+    constexpr double widest = 1.0; // m
+    if (*width > widest
+        && options.width.find_first_not_of("0123456789.,eE+- ") == std::string::npos)
+        return Failure("--width %1 is taken for metres, and no strip is as wide as that: say the "
+                       "unit, as in --width \"%1 cm\".",
+                       options.width);
     size.width = *width;
     return size;
 }

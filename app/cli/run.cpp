@@ -166,6 +166,25 @@ double fly(Simulation& simulation, const RunOptions& options, ControlPlayer& con
 }
 
 // Says on the standard error what was wrong with the run.
+// What has borne more than it can and is whole only because nothing may tear it.
+void warnOfOverload(const Json& loads)
+{
+    if (loads.is_null() || loads["run"].empty())
+        return;
+    const Json& worst = loads["run"].front();
+    if (worst["torn"].get<bool>() || worst["margin"].get<double>() <= 1.0)
+        return;
+    const char* const kind = worst.contains("panel") ? "panel" : "link";
+    std::cerr << "ripstop-cli: warning: "
+              << Message("%1 %2 has borne %3 times its strength at %4 s and holds, as nothing says "
+                         "that its material tears: tearRule=strength has it break.",
+                         kind, worst[kind].get<std::uint32_t>(),
+                         Message::number("%.3g", worst["margin"].get<double>()),
+                         Message::number("%.3g", worst["time"].get<double>()))
+                     .english()
+              << '\n';
+}
+
 int judge(const Simulation& simulation, const Json& result, const RunOptions& options)
 {
     if (simulation.trouble())
@@ -174,6 +193,7 @@ int judge(const Simulation& simulation, const Json& result, const RunOptions& op
         fail(Absurd, one.get<std::string>());
     if (!result["absurd"].empty())
         return Absurd;
+    warnOfOverload(result["loads"]);
     if (const Message complaint = simulation.frame()->accuracy.complaint(); !complaint.empty()) {
         fail(Inaccurate, complaint);
         if (options.strict)

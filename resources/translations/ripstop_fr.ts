@@ -66,7 +66,7 @@
     <message>
         <location filename="brush.cpp"/>
         <source>Paint %1</source>
-        <translation>Peindre : %1</translation>
+        <translation>Peindre : %1</translation>
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
@@ -91,7 +91,7 @@
     <message>
         <location filename="brush_bar.cpp"/>
         <source>How far the brush reaches from the cursor; [ and ], or Ctrl and the wheel, change it.</source>
-        <translation>Jusqu’où le pinceau agit autour du curseur ; [ et ], ou Ctrl et la molette, le changent.</translation>
+        <translation>Jusqu’où le pinceau agit autour du curseur ; [ et ], ou Ctrl et la molette, le changent.</translation>
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
@@ -101,12 +101,12 @@
     <message>
         <location filename="brush_bar.cpp"/>
         <source>How many times as stiff as its material the fabric is to be: above 1 where cloth lies double, below where it is worn; 1 takes the paint off.</source>
-        <translation>Combien de fois le tissu doit être plus raide que son matériau : plus de 1 là où il est doublé, moins là où il est usé ; 1 enlève la peinture.</translation>
+        <translation>Combien de fois le tissu doit être plus raide que son matériau : plus de 1 là où il est doublé, moins là où il est usé ; 1 enlève la peinture.</translation>
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
         <source>How many times as strong as its material the fabric is to be: below 1 where it is worn, above where it is reinforced; 1 takes the paint off.</source>
-        <translation>Combien de fois le tissu doit être plus résistant que son matériau : moins de 1 là où il est usé, plus là où il est renforcé ; 1 enlève la peinture.</translation>
+        <translation>Combien de fois le tissu doit être plus résistant que son matériau : moins de 1 là où il est usé, plus là où il est renforcé ; 1 enlève la peinture.</translation>
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
@@ -121,7 +121,7 @@
     <message>
         <location filename="brush_bar.cpp"/>
         <source>Paint the other side of the part as well: across the plane that it is most nearly its own mirror image at. A second ring shows where that is.</source>
-        <translation>Peindre aussi l’autre côté de la pièce : par rapport au plan qui en fait le plus exactement sa propre image. Un second cercle montre où il se trouve.</translation>
+        <translation>Peindre aussi l’autre côté de la pièce : par rapport au plan qui en fait le plus exactement sa propre image. Un second cercle montre où il se trouve.</translation>
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
@@ -136,7 +136,7 @@
     <message>
         <location filename="brush_bar.cpp"/>
         <source>Soft: less and less towards the edge of the brush. Hard: all alike.</source>
-        <translation>Doux : de moins en moins vers le bord du pinceau. Net : partout pareil.</translation>
+        <translation>Doux : de moins en moins vers le bord du pinceau. Net : partout pareil.</translation>
     </message>
     <message>
         <location filename="brush_bar.cpp"/>
@@ -166,7 +166,7 @@
     <message>
         <location filename="brush_tool.cpp"/>
         <source>No panels here to paint: only parts whose panels carry the pull of the fabric have a grain.</source>
-        <translation>Il n’y a ici aucun panneau à peindre : seules les pièces dont les panneaux portent la traction du tissu ont un droit-fil.</translation>
+        <translation>Il n’y a ici aucun panneau à peindre : seules les pièces dont les panneaux portent la traction du tissu ont un droit-fil.</translation>
     </message>
     <message>
         <location filename="brush_tool.cpp"/>
@@ -271,7 +271,7 @@
     <message>
         <location filename="builder_dialog.cpp"/>
         <source>Sets every parameter to what goes with ideal cloth, lines and spars: deltas, gliders and parachutes are those of the papers then.</source>
-        <translation>Met chaque paramètre à ce qui va avec un tissu, des lignes et des longerons idéaux : deltas, planeurs et parachutes sont alors ceux des articles.</translation>
+        <translation>Met chaque paramètre à ce qui va avec un tissu, des lignes et des longerons idéaux : deltas, planeurs et parachutes sont alors ceux des articles.</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -346,17 +346,17 @@
     <message>
         <location filename="certify.cpp"/>
         <source>nothing is certified in less than a time step, %1 s; certify a longer time</source>
-        <translation>rien n’est certifié en moins d’un pas de temps, %1 s ; certifier une durée plus longue</translation>
+        <translation>rien n’est certifié en moins d’un pas de temps, %1 s ; certifier une durée plus longue</translation>
     </message>
     <message>
         <location filename="certify.cpp"/>
         <source>the scene has no probe that could be judged: add one</source>
-        <translation>la scène n’a pas de sonde que l’on puisse juger : ajoutez-en une</translation>
+        <translation>la scène n’a pas de sonde que l’on puisse juger : ajoutez-en une</translation>
     </message>
     <message>
         <location filename="certify.cpp"/>
         <source>with %1 times as many substeps: %2</source>
-        <translation>avec %1 fois autant de sous-pas : %2</translation>
+        <translation>avec %1 fois autant de sous-pas : %2</translation>
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
@@ -406,7 +406,7 @@
     <message>
         <location filename="certify_dialog.cpp"/>
         <source>Flies the design three times: as it is, with each substep cut in two, and in four. How the values of the probes come nearer to each other tells how far they are from where they go, and so which of their digits hold.</source>
-        <translation>Fait voler le modèle trois fois : tel quel, avec chaque sous-pas coupé en deux, et en quatre. La façon dont les valeurs des sondes se rapprochent dit à quelle distance elles sont de leur limite, et donc lesquels de leurs chiffres sont justes.</translation>
+        <translation>Fait voler le modèle trois fois : tel quel, avec chaque sous-pas coupé en deux, et en quatre. La façon dont les valeurs des sondes se rapprochent dit à quelle distance elles sont de leur limite, et donc lesquels de leurs chiffres sont justes.</translation>
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
@@ -481,7 +481,7 @@
     <message>
         <location filename="chart.cpp"/>
         <source>%1: %2 ± %3, by the certificate of the run</source>
-        <translation>%1 : %2 ± %3, d’après le certificat de la simulation</translation>
+        <translation>%1 : %2 ± %3, d’après le certificat de la simulation</translation>
     </message>
     <message>
         <location filename="chart.cpp"/>
@@ -516,12 +516,12 @@
     <message>
         <location filename="check.cpp"/>
         <source>%1 of material %2 is above %3 %4, which no step can solve and nothing is: check the unit.</source>
-        <translation>%1 du matériau %2 dépasse %3 %4, ce qu’aucun pas ne peut résoudre et que rien n’atteint : vérifiez l’unité.</translation>
+        <translation>%1 du matériau %2 dépasse %3 %4, ce qu’aucun pas ne peut résoudre et que rien n’atteint : vérifiez l’unité.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
         <source>%1: %2 points at %3 of the type %4, which this version does not know; choose another or remove it.</source>
-        <translation>%1 : %2 désigne %3, de la sorte %4, que cette version ne connaît pas ; en choisir un autre ou le retirer.</translation>
+        <translation>%1 : %2 désigne %3, de la sorte %4, que cette version ne connaît pas ; en choisir un autre ou le retirer.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -551,7 +551,7 @@
     <message>
         <location filename="check.cpp"/>
         <source>Materials #%1 and #%2 are both called %3, and a path of that name means the first: rename one.</source>
-        <translation>Les matériaux #%1 et #%2 s’appellent tous deux %3, et un chemin de ce nom désigne le premier : renommez-en un.</translation>
+        <translation>Les matériaux #%1 et #%2 s’appellent tous deux %3, et un chemin de ce nom désigne le premier : renommez-en un.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -561,7 +561,7 @@
     <message>
         <location filename="check.cpp"/>
         <source>Plot %1 shows no values: its lowest has to be below its highest.</source>
-        <translation>Le graphique %1 ne montre aucune valeur : sa plus basse doit être sous sa plus haute.</translation>
+        <translation>Le graphique %1 ne montre aucune valeur : sa plus basse doit être sous sa plus haute.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -586,7 +586,7 @@
     <message>
         <location filename="check.cpp"/>
         <source>The integrator bdf2 makes what single sweeps leave over grow, so that rods swing up: choose the automatic solver, or another integrator.</source>
-        <translation>L’intégrateur bdf2 fait croître ce que laissent des balayages uniques, si bien que les tiges s’agitent de plus en plus : choisissez le solveur automatique ou un autre intégrateur.</translation>
+        <translation>L’intégrateur bdf2 fait croître ce que laissent des balayages uniques, si bien que les tiges s’agitent de plus en plus : choisissez le solveur automatique ou un autre intégrateur.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -601,7 +601,7 @@
     <message>
         <location filename="check.cpp"/>
         <source>Wind %1 blows with %2 m/s, and a run stops where something goes faster than the speed limit of %3 m/s: check the unit.</source>
-        <translation>Le vent %1 souffle à %2 m/s, et un calcul s’arrête dès que quelque chose dépasse la vitesse limite de %3 m/s : vérifiez l’unité.</translation>
+        <translation>Le vent %1 souffle à %2 m/s, et un calcul s’arrête dès que quelque chose dépasse la vitesse limite de %3 m/s : vérifiez l’unité.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -996,12 +996,12 @@
     <message>
         <location filename="design_difference_dialog.cpp"/>
         <source>From %1: %2</source>
-        <translation>De %1 : %2</translation>
+        <translation>De %1 : %2</translation>
     </message>
     <message>
         <location filename="design_difference_dialog.cpp"/>
         <source>From the design as saved: %1</source>
-        <translation>Du modèle tel qu’enregistré : %1</translation>
+        <translation>Du modèle tel qu’enregistré : %1</translation>
     </message>
     <message>
         <location filename="design_difference_dialog.cpp"/>
@@ -1016,7 +1016,7 @@
     <message>
         <location filename="design_difference_dialog.cpp"/>
         <source>The design as its file has it: what you have changed since.</source>
-        <translation>Le modèle tel que son fichier le contient : ce que vous avez changé depuis.</translation>
+        <translation>Le modèle tel que son fichier le contient : ce que vous avez changé depuis.</translation>
     </message>
     <message>
         <location filename="design_difference_dialog.cpp"/>
@@ -1046,7 +1046,7 @@
     <message>
         <location filename="design_difference_dialog.cpp"/>
         <source>To the open design: %1</source>
-        <translation>Au modèle ouvert : %1</translation>
+        <translation>Au modèle ouvert : %1</translation>
     </message>
     <message>
         <location filename="design_gallery.cpp"/>
@@ -1391,12 +1391,12 @@
     <message>
         <location filename="design_rows.cpp"/>
         <source>The next stronger material of the library for what is selected, by what it can bear; masses follow.</source>
-        <translation>Le matériau suivant, plus résistant, de la bibliothèque pour ce qui est sélectionné, selon ce qu’il supporte ; les masses suivent.</translation>
+        <translation>Le matériau suivant, plus résistant, de la bibliothèque pour ce qui est sélectionné, selon ce qu’il supporte ; les masses suivent.</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
         <source>The next weaker material of the library for what is selected; masses follow.</source>
-        <translation>Le matériau suivant, moins résistant, de la bibliothèque pour ce qui est sélectionné ; les masses suivent.</translation>
+        <translation>Le matériau suivant, moins résistant, de la bibliothèque pour ce qui est sélectionné ; les masses suivent.</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -1690,6 +1690,11 @@
     </message>
     <message>
         <location filename="draw_operations.cpp"/>
+        <source>All to one needs exactly one particle that is no corner of a panel, as a tow point is: select it together with those that it holds.</source>
+        <translation>Toutes à une seule demande exactement une particule qui ne soit sommet d’aucun panneau, comme un point d’attache : sélectionnez-la avec celles qu’elle tient.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
         <source>Each with each of more than %1 particles are too many links. Select fewer, or choose another way.</source>
         <translation>Chacune à chacune de plus de %1 particules fait trop de liaisons. En sélectionner moins, ou choisir une autre façon.</translation>
     </message>
@@ -1806,7 +1811,7 @@
     <message>
         <location filename="draw_rows.cpp"/>
         <source>Drag over fabric to make it stronger or weaker, stiffer or softer, or to turn its grain: patches, reinforcements, worn places.</source>
-        <translation>Tirer sur le tissu pour le rendre plus ou moins résistant, plus raide ou plus souple, ou pour tourner son droit-fil : pièces, renforts, endroits usés.</translation>
+        <translation>Tirer sur le tissu pour le rendre plus ou moins résistant, plus raide ou plus souple, ou pour tourner son droit-fil : pièces, renforts, endroits usés.</translation>
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
@@ -1993,32 +1998,32 @@
     <message>
         <location filename="elastic_check.cpp"/>
         <source>%1 has panels that carry the pull of its fabric and %2 threads that carry it as well: remove the threads, or have threads carry it.</source>
-        <translation>%1 a des panneaux qui portent la traction de son tissu et %2 fils qui la portent aussi : supprimez les fils, ou faites-la porter par les fils.</translation>
+        <translation>%1 a des panneaux qui portent la traction de son tissu et %2 fils qui la portent aussi : supprimez les fils, ou faites-la porter par les fils.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Material %1 has panels stiffer than %2 N/m, which no step can solve and no fabric is: check the unit.</source>
-        <translation>La matière %1 a des panneaux plus raides que %2 N/m, ce qu’aucun pas ne peut résoudre et qu’aucun tissu n’est : vérifiez l’unité.</translation>
+        <translation>La matière %1 a des panneaux plus raides que %2 N/m, ce qu’aucun pas ne peut résoudre et qu’aucun tissu n’est : vérifiez l’unité.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Material %1 would get energy out of being strained: its Poisson's ratio must be below %2, the root of warp over weft stiffness.</source>
-        <translation>La matière %1 gagnerait de l’énergie à être déformée : son coefficient de Poisson doit être sous %2, la racine du rapport des raideurs de chaîne et de trame.</translation>
+        <translation>La matière %1 gagnerait de l’énergie à être déformée : son coefficient de Poisson doit être sous %2, la racine du rapport des raideurs de chaîne et de trame.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Panel %1 of %2 has no area at rest, and its part has panels carry the pull: change its rest lengths, or remove it.</source>
-        <translation>Le panneau %1 de %2 n’a pas d’aire au repos, et sa pièce fait porter la traction par les panneaux : changez ses longueurs à vide, ou supprimez-le.</translation>
+        <translation>Le panneau %1 de %2 n’a pas d’aire au repos, et sa pièce fait porter la traction par les panneaux : changez ses longueurs à vide, ou supprimez-le.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Panels of %1 are to carry its pull and have no material: they carry nothing.</source>
-        <translation>Les panneaux de %1 doivent porter sa traction et n’ont pas de matière : ils ne portent rien.</translation>
+        <translation>Les panneaux de %1 doivent porter sa traction et n’ont pas de matière : ils ne portent rien.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Panels of %1 are to carry its pull, and %2 has no membrane stiffness: they carry nothing.</source>
-        <translation>Les panneaux de %1 doivent porter sa traction, et %2 n’a pas de raideur de membrane : ils ne portent rien.</translation>
+        <translation>Les panneaux de %1 doivent porter sa traction, et %2 n’a pas de raideur de membrane : ils ne portent rien.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
@@ -2091,22 +2096,22 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="end_check.cpp"/>
         <source>Particle %1 is %2 m away from the origin at the end, farther than %3 m, where weight would be another one: look for what drives it away.</source>
-        <translation>La particule %1 est à %2 m de l’origine à la fin, plus loin que %3 m, où la pesanteur serait une autre : chercher ce qui l’éloigne.</translation>
+        <translation>La particule %1 est à %2 m de l’origine à la fin, plus loin que %3 m, où la pesanteur serait une autre : chercher ce qui l’éloigne.</translation>
     </message>
     <message>
         <location filename="end_check.cpp"/>
         <source>The energies are not finite at the end: look for stiffnesses and masses that are far too large.</source>
-        <translation>Les énergies ne sont pas finies à la fin : chercher des raideurs et des masses bien trop grandes.</translation>
+        <translation>Les énergies ne sont pas finies à la fin : chercher des raideurs et des masses bien trop grandes.</translation>
     </message>
     <message>
         <location filename="end_check.cpp"/>
         <source>The largest strain of a panel is %1 at the end, and no material bears %2: look for what pulls it out of its place.</source>
-        <translation>La plus grande déformation d’un panneau est de %1 à la fin, et aucun matériau ne supporte %2 : chercher ce qui l’arrache de sa place.</translation>
+        <translation>La plus grande déformation d’un panneau est de %1 à la fin, et aucun matériau ne supporte %2 : chercher ce qui l’arrache de sa place.</translation>
     </message>
     <message>
         <location filename="end_check.cpp"/>
         <source>The strain of link %1 is %2 at the end, and no material bears %3: look for what pulls it out of its place, like a collider that it is in.</source>
-        <translation>La déformation de la liaison %1 est de %2 à la fin, et aucun matériau ne supporte %3 : chercher ce qui l’arrache de sa place, comme un obstacle dans lequel il se trouve.</translation>
+        <translation>La déformation de la liaison %1 est de %2 à la fin, et aucun matériau ne supporte %3 : chercher ce qui l’arrache de sa place, comme un obstacle dans lequel il se trouve.</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
@@ -2126,17 +2131,17 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="event_words.cpp"/>
         <source>%1 places tore, the first is %2</source>
-        <translation>déchirure en %1 endroits, d’abord : %2</translation>
+        <translation>déchirure en %1 endroits, d’abord : %2</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
         <source>%1 s: %2</source>
-        <translation>%1 s : %2</translation>
+        <translation>%1 s : %2</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
         <source>%1 tore</source>
-        <translation>déchirure : %1</translation>
+        <translation>déchirure : %1</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
@@ -2236,7 +2241,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="export_choice.cpp"/>
         <source>For a paper or a colleague: ripstop-cli run flies it again and compares every step.</source>
-        <translation>Pour un article ou un collègue : ripstop-cli run la refait et compare chaque pas.</translation>
+        <translation>Pour un article ou un collègue : ripstop-cli run la refait et compare chaque pas.</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
@@ -2611,7 +2616,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="figures_text.cpp"/>
         <source>%1: of %2 by now, which stays until another is chosen.</source>
-        <translation>%1 : désormais en %2, qui reste tant qu’aucun autre n’est choisi.</translation>
+        <translation>%1 : désormais en %2, qui reste tant qu’aucun autre n’est choisi.</translation>
     </message>
     <message>
         <location filename="figures_text.cpp"/>
@@ -2701,7 +2706,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="file_rows.cpp"/>
         <source>Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF, Collada, VTP or VTU.</source>
-        <translation>Faire du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF, Collada, VTP ou VTU.</translation>
+        <translation>Faire du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF, Collada, VTP ou VTU.</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
@@ -2796,7 +2801,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>%1 cannot be written: choose a folder that you may write to, and the ending .png, .jpg, .svg or .pdf.</source>
-        <translation>Impossible d’écrire %1 : choisissez un dossier où vous pouvez écrire et l’extension .png, .jpg, .svg ou .pdf.</translation>
+        <translation>Impossible d’écrire %1 : choisissez un dossier où vous pouvez écrire et l’extension .png, .jpg, .svg ou .pdf.</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2816,7 +2821,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>A study flies the design as it is saved. Save %1 now?</source>
-        <translation>Une étude fait voler la conception telle qu’elle est enregistrée. Enregistrer %1 maintenant ?</translation>
+        <translation>Une étude fait voler la conception telle qu’elle est enregistrée. Enregistrer %1 maintenant ?</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2891,7 +2896,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>Save the design?</source>
-        <translation>Enregistrer la conception ?</translation>
+        <translation>Enregistrer la conception ?</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -3016,7 +3021,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="flutter_check.cpp"/>
         <source>The fabric of %1 lies in one plane with the wind and stays there, as nothing moves it aside: it does not flutter. Turn the wind by a degree, or give it gusts.</source>
-        <translation>Le tissu de %1 est dans un même plan que le vent et y reste, car rien ne l’en écarte : il ne flotte pas. Tournez le vent d’un degré, ou donnez-lui des rafales.</translation>
+        <translation>Le tissu de %1 est dans un même plan que le vent et y reste, car rien ne l’en écarte : il ne flotte pas. Tournez le vent d’un degré, ou donnez-lui des rafales.</translation>
     </message>
     <message>
         <location filename="fold_button.cpp"/>
@@ -3121,7 +3126,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="goal_form.cpp"/>
         <source>Another measure that is wanted small, large or at a value; with two the best are a front.</source>
-        <translation>Une autre mesure que l’on veut petite, grande ou à une valeur donnée ; avec deux, les meilleurs forment un front.</translation>
+        <translation>Une autre mesure que l’on veut petite, grande ou à une valeur donnée ; avec deux, les meilleurs forment un front.</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
@@ -3471,7 +3476,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="hdf5.cpp"/>
         <source>%1 is an HDF5 file, which this program was built without; export .pvd or .csv, or build it with libhdf5-dev.</source>
-        <translation>%1 est un fichier HDF5, sans quoi ce programme a été construit ; exportez en .pvd ou .csv, ou construisez-le avec libhdf5-dev.</translation>
+        <translation>%1 est un fichier HDF5, sans quoi ce programme a été construit ; exportez en .pvd ou .csv, ou construisez-le avec libhdf5-dev.</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
@@ -3491,7 +3496,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="height_picture.cpp"/>
         <source>it has too few bytes for %1 x %2 points; fewer points, or a PGM, would do</source>
-        <translation>il a trop peu d’octets pour %1 x %2 points ; moins de points, ou un PGM, conviendraient</translation>
+        <translation>il a trop peu d’octets pour %1 x %2 points ; moins de points, ou un PGM, conviendraient</translation>
     </message>
     <message>
         <location filename="height_picture.cpp"/>
@@ -3581,7 +3586,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="help_rows.cpp"/>
         <source>The book: tutorials, editor, materials, tuning, studies, physics.</source>
-        <translation>Le livre : tutoriels, éditeur, matériaux, réglages, études, physique.</translation>
+        <translation>Le livre : tutoriels, éditeur, matériaux, réglages, études, physique.</translation>
     </message>
     <message>
         <location filename="help_rows.cpp"/>
@@ -3686,7 +3691,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="import_dialog.cpp"/>
         <source>Pictures that lie within the file will be written beside it: %1.</source>
-        <translation>Les images contenues dans le fichier seront écrites à côté : %1.</translation>
+        <translation>Les images contenues dans le fichier seront écrites à côté : %1.</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
@@ -3856,7 +3861,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="import_form.cpp"/>
         <source>Panels are elastic triangles with warp, weft and shear: they wrinkle as cloth does, and the mesh makes no difference. Threads are links along edges and across faces: three times as fast, and true along the edges of the mesh only.</source>
-        <translation>Les panneaux sont des triangles élastiques avec chaîne, trame et cisaillement : ils plissent comme le tissu, et le maillage n’y change rien. Les fils sont des liaisons le long des arêtes et en travers des faces : trois fois plus rapides, et justes seulement le long des arêtes du maillage.</translation>
+        <translation>Les panneaux sont des triangles élastiques avec chaîne, trame et cisaillement : ils plissent comme le tissu, et le maillage n’y change rien. Les fils sont des liaisons le long des arêtes et en travers des faces : trois fois plus rapides, et justes seulement le long des arêtes du maillage.</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
@@ -4327,7 +4332,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="legend.cpp"/>
         <source>Click the colours to type their range. The largest value of the moment stands below; click that to select what has it.</source>
-        <translation>Cliquez sur les couleurs pour saisir leur intervalle. La plus grande valeur du moment figure dessous ; cliquez dessus pour sélectionner ce qui la porte.</translation>
+        <translation>Cliquez sur les couleurs pour saisir leur intervalle. La plus grande valeur du moment figure dessous ; cliquez dessus pour sélectionner ce qui la porte.</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -4427,7 +4432,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_list.cpp"/>
         <source>%1: torn</source>
-        <translation>%1 : rompu</translation>
+        <translation>%1 : rompu</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
@@ -4447,7 +4452,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_list.cpp"/>
         <source>Load over strength: 1 breaks.</source>
-        <translation>Charge sur résistance : rupture à 1.</translation>
+        <translation>Charge sur résistance : rupture à 1.</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
@@ -4492,12 +4497,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Lets these materials tear by strength: cloth, lines and spars then break where their margin is 1.</source>
-        <translation>Laisse ces matériaux se déchirer à leur résistance : tissu, lignes et espars rompent alors où leur marge vaut 1.</translation>
+        <translation>Laisse ces matériaux se déchirer à leur résistance : tissu, lignes et espars rompent alors où leur marge vaut 1.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Never tears: %1. %2</source>
-        <translation>Ne se déchire jamais : %1. %2</translation>
+        <translation>Ne se déchire jamais : %1. %2</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -4507,12 +4512,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Not judged, without a strength: %1</source>
-        <translation>Non jugés, sans résistance : %1</translation>
+        <translation>Non jugés, sans résistance : %1</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Nothing bears a load yet: run the scene.</source>
-        <translation>Rien ne porte encore de charge : lancer la simulation.</translation>
+        <translation>Rien ne porte encore de charge : lancer la simulation.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -4527,7 +4532,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_panel.cpp"/>
         <source>The worst of the run is the launch, %1 after the start: what is let go at rest is jerked.</source>
-        <translation>Le pire du vol est le lancer, %1 après le début : ce qui est lâché au repos subit une secousse.</translation>
+        <translation>Le pire du vol est le lancer, %1 après le début : ce qui est lâché au repos subit une secousse.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -4592,12 +4597,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="manual.cpp"/>
         <source>Nothing here opens the manual; open %1 in a browser.</source>
-        <translation>Rien ici n’ouvre le manuel ; ouvrez %1 dans un navigateur.</translation>
+        <translation>Rien ici n’ouvre le manuel ; ouvrez %1 dans un navigateur.</translation>
     </message>
     <message>
         <location filename="manual.cpp"/>
         <source>The manual is not installed here; the page is %1.md of Ripstop's source.</source>
-        <translation>Le manuel n’est pas installé ici ; la page est %1.md dans la source de Ripstop.</translation>
+        <translation>Le manuel n’est pas installé ici ; la page est %1.md dans la source de Ripstop.</translation>
     </message>
     <message>
         <location filename="map_dialog.cpp"/>
@@ -5242,12 +5247,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="mesh_process.cpp"/>
         <source>The mesh %1 and the files that it names are larger than 1 GiB; make it coarser in a mesh program first.</source>
-        <translation>Le maillage %1 et les fichiers qu’il nomme dépassent 1 Gio ; le rendre d’abord plus grossier dans un logiciel de maillage.</translation>
+        <translation>Le maillage %1 et les fichiers qu’il nomme dépassent 1 Gio ; le rendre d’abord plus grossier dans un logiciel de maillage.</translation>
     </message>
     <message>
         <location filename="mesh_process.cpp"/>
         <source>The mesh %1 asks for more memory than a file of its size may need; it is damaged, or has to be saved in another format.</source>
-        <translation>Le maillage %1 demande plus de mémoire qu’un fichier de sa taille n’en peut nécessiter ; il est endommagé, ou doit être enregistré dans un autre format.</translation>
+        <translation>Le maillage %1 demande plus de mémoire qu’un fichier de sa taille n’en peut nécessiter ; il est endommagé, ou doit être enregistré dans un autre format.</translation>
     </message>
     <message>
         <location filename="mesh_process.cpp"/>
@@ -5262,22 +5267,22 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="mesh_process.cpp"/>
         <source>The mesh %1 cannot be read, as the program %2 is not beside this one; install it there, or save the mesh as OBJ, PLY or OFF.</source>
-        <translation>Le maillage %1 ne peut pas être lu, car le programme %2 n’est pas à côté de celui-ci ; l’y installer, ou enregistrer le maillage en OBJ, PLY ou OFF.</translation>
+        <translation>Le maillage %1 ne peut pas être lu, car le programme %2 n’est pas à côté de celui-ci ; l’y installer, ou enregistrer le maillage en OBJ, PLY ou OFF.</translation>
     </message>
     <message>
         <location filename="mesh_process.cpp"/>
         <source>The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB, Collada (.dae), VTP or VTU file.</source>
-        <translation>Le maillage %1 n’a pas de format connu ; choisissez un fichier OBJ, STL, PLY, OFF, glTF, GLB, Collada (.dae), VTP ou VTU.</translation>
+        <translation>Le maillage %1 n’a pas de format connu ; choisissez un fichier OBJ, STL, PLY, OFF, glTF, GLB, Collada (.dae), VTP ou VTU.</translation>
     </message>
     <message>
         <location filename="mesh_process.cpp"/>
         <source>The mesh %1 is damaged: the library that reads its format crashed on it. Save it again in a mesh program, as OBJ or PLY for example.</source>
-        <translation>Le maillage %1 est endommagé : la bibliothèque qui lit son format s’est arrêtée dessus. L’enregistrer de nouveau dans un logiciel de maillage, en OBJ ou PLY par exemple.</translation>
+        <translation>Le maillage %1 est endommagé : la bibliothèque qui lit son format s’est arrêtée dessus. L’enregistrer de nouveau dans un logiciel de maillage, en OBJ ou PLY par exemple.</translation>
     </message>
     <message>
         <location filename="mesh_process.cpp"/>
         <source>The mesh %1 takes longer to read than a file of its size may; it is damaged, or has to be saved in another format.</source>
-        <translation>La lecture du maillage %1 prend plus de temps qu’un fichier de sa taille n’en devrait demander ; il est endommagé, ou doit être enregistré dans un autre format.</translation>
+        <translation>La lecture du maillage %1 prend plus de temps qu’un fichier de sa taille n’en devrait demander ; il est endommagé, ou doit être enregistré dans un autre format.</translation>
     </message>
     <message>
         <location filename="mesh_repair.cpp"/>
@@ -5341,13 +5346,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
-        <source>%1 vertices lie on a seam of the texture: the first of their texture points was kept.</source>
-        <translation>%1 sommets sont sur une couture de la texture : le premier de leurs points de texture a été gardé.</translation>
+        <source>%1 vertices lie on a seam of the texture: a picture is printed by the first of their texture points. The warp follows each face.</source>
+        <translation>%1 sommets se trouvent sur une couture de la texture : une image est imprimée d’après le premier de leurs points de texture. La chaîne suit chaque face.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
         <source>%1 vertices lie on another one: joined.</source>
         <translation>%1 sommets sont sur un autre : joints.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 vertices lie on sides of faces: joined to them.</source>
+        <translation>%1 sommets se trouvent sur des côtés de faces : joints à ceux-ci.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
@@ -5401,8 +5411,13 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
-        <source>1 vertex lies on a seam of the texture: the first of its texture points was kept.</source>
-        <translation>1 sommet est sur une couture de la texture : le premier de ses points de texture a été gardé.</translation>
+        <source>1 vertex lies on a seam of the texture: a picture is printed by the first of its texture points. The warp follows each face.</source>
+        <translation>1 sommet se trouve sur une couture de la texture : une image est imprimée d’après le premier de ses points de texture. La chaîne suit chaque face.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 vertex lies on a side of a face: joined to it.</source>
+        <translation>1 sommet se trouve sur le côté d’une face : joint à celui-ci.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
@@ -5437,7 +5452,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="neighbours.cpp"/>
         <source>%1 has no strength from which a step could be made: choose a material of the library for it first.</source>
-        <translation>%1 n’a pas de résistance d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
+        <translation>%1 n’a pas de résistance d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
     </message>
     <message>
         <location filename="neighbours.cpp"/>
@@ -5462,7 +5477,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="neighbours.cpp"/>
         <source>Stronger: %1</source>
-        <translation>Plus résistant : %1</translation>
+        <translation>Plus résistant : %1</translation>
     </message>
     <message>
         <location filename="neighbours.cpp"/>
@@ -5497,7 +5512,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="neighbours.cpp"/>
         <source>Weaker: %1</source>
-        <translation>Moins résistant : %1</translation>
+        <translation>Moins résistant : %1</translation>
     </message>
     <message>
         <location filename="network_check.cpp"/>
@@ -5602,12 +5617,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="opened_study.cpp"/>
         <source>%1 measures the probe %2, and the scene has: %3.</source>
-        <translation>%1 mesure la sonde %2, et la scène a : %3.</translation>
+        <translation>%1 mesure la sonde %2, et la scène a : %3.</translation>
     </message>
     <message>
         <location filename="opened_study.cpp"/>
         <source>%1: the variable %2 sets controls, which are files; give it "values".</source>
-        <translation>%1 : la variable %2 fixe des commandes, qui sont des fichiers ; donnez-lui des "values".</translation>
+        <translation>%1 : la variable %2 fixe des commandes, qui sont des fichiers ; donnez-lui des "values".</translation>
     </message>
     <message>
         <location filename="operation.cpp"/>
@@ -5702,7 +5717,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="options.cpp"/>
         <source>--picture-width needs a number of pixels from 16 to %1, not "%2"</source>
-        <translation>--picture-width demande un nombre de pixels de 16 à %1, et non « %2 »</translation>
+        <translation>--picture-width demande un nombre de pixels de 16 à %1, et non « %2 »</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -5717,12 +5732,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="options.cpp"/>
         <source>Bring a panel to the front: tuning, table, problems, ...; more than once.</source>
-        <translation>Amener un panneau au premier plan : tuning, table, problems, ... ; plusieurs fois possible.</translation>
+        <translation>Amener un panneau au premier plan : tuning, table, problems, ... ; plusieurs fois possible.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
         <source>Colour by one of %1.</source>
-        <translation>Colorer selon l’un de : %1.</translation>
+        <translation>Colorer selon l’un de : %1.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -5801,12 +5816,12 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="options.cpp"/>
         <source>What lies behind things in a picture of the view: scenery, white or transparent.</source>
-        <translation>Ce qui se trouve derrière les objets dans une image de la vue : scenery, white ou transparent.</translation>
+        <translation>Ce qui se trouve derrière les objets dans une image de la vue : scenery, white ou transparent.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
         <source>Width of a picture of the view alone, for papers: 3000.</source>
-        <translation>Largeur d’une image de la vue seule, pour les articles : 3000.</translation>
+        <translation>Largeur d’une image de la vue seule, pour les articles : 3000.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -5846,7 +5861,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="outline.cpp"/>
         <source>Delete %1? What is made of it, %2, has then neither stiffness nor strength of its own.</source>
-        <translation>Supprimer %1 ? Ce qui en est fait, %2, n’aura alors plus ni raideur ni résistance propres.</translation>
+        <translation>Supprimer %1 ? Ce qui en est fait, %2, n’aura alors plus ni raideur ni résistance propres.</translation>
     </message>
     <message>
         <location filename="outline.cpp"/>
@@ -6056,7 +6071,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="packed_pictures.cpp"/>
         <source>%1 has come since the mesh was read, with something else in it; import the mesh again.</source>
-        <translation>%1 est arrivé depuis la lecture du maillage, avec un autre contenu ; importez de nouveau le maillage.</translation>
+        <translation>%1 est arrivé depuis la lecture du maillage, avec un autre contenu ; importez de nouveau le maillage.</translation>
     </message>
     <message>
         <location filename="palette.cpp"/>
@@ -6076,22 +6091,22 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="panel_fabric.cpp"/>
         <source>%1 has threads and no panels that could carry their pull: draw panels over them first.</source>
-        <translation>%1 a des fils et pas de panneaux qui pourraient porter leur traction : dessinez d’abord des panneaux dessus.</translation>
+        <translation>%1 a des fils et pas de panneaux qui pourraient porter leur traction : dessinez d’abord des panneaux dessus.</translation>
     </message>
     <message>
         <location filename="panel_fabric.cpp"/>
         <source>Panel %1 of %2 has no material and would carry nothing: give it that of the fabric first.</source>
-        <translation>Le panneau %1 de %2 n’a pas de matériau et ne porterait rien : donnez-lui d’abord celui du tissu.</translation>
+        <translation>Le panneau %1 de %2 n’a pas de matériau et ne porterait rien : donnez-lui d’abord celui du tissu.</translation>
     </message>
     <message>
         <location filename="panel_fabric.cpp"/>
         <source>Panels of %1 would carry nothing, as their material %2 has no membrane stiffness: give it one first, in N/m, or the numbers of a fabric of the library.</source>
-        <translation>Les panneaux de %1 ne porteraient rien, car leur matériau %2 n’a pas de raideur de membrane : donnez-lui-en d’abord une, en N/m, ou les nombres d’un tissu de la bibliothèque.</translation>
+        <translation>Les panneaux de %1 ne porteraient rien, car leur matériau %2 n’a pas de raideur de membrane : donnez-lui-en d’abord une, en N/m, ou les nombres d’un tissu de la bibliothèque.</translation>
     </message>
     <message>
         <location filename="panel_fabric.cpp"/>
         <source>There is no fabric of threads here: no link has the role thread or bias and a width. Choose a part that has such links.</source>
-        <translation>Il n’y a pas ici de tissu de fils : aucune liaison n’a le rôle fil ou biais et une largeur. Choisissez une pièce qui a de telles liaisons.</translation>
+        <translation>Il n’y a pas ici de tissu de fils : aucune liaison n’a le rôle fil ou biais et une largeur. Choisissez une pièce qui a de telles liaisons.</translation>
     </message>
     <message>
         <location filename="panel_fabric.cpp"/>
@@ -6241,17 +6256,17 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>&amp;Background:</source>
-        <translation>&amp;Fond :</translation>
+        <translation>&amp;Fond :</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>&amp;Kind:</source>
-        <translation>T&amp;ype :</translation>
+        <translation>T&amp;ype :</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>&amp;Size:</source>
-        <translation>&amp;Taille :</translation>
+        <translation>&amp;Taille :</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
@@ -6276,12 +6291,12 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>JPEG has no transparency: the background will be white.</source>
-        <translation>JPEG ne connaît pas la transparence : le fond sera blanc.</translation>
+        <translation>JPEG ne connaît pas la transparence : le fond sera blanc.</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>JPEG: pixels, small</source>
-        <translation>JPEG : pixels, fichier léger</translation>
+        <translation>JPEG : pixels, fichier léger</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
@@ -6291,12 +6306,12 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>PDF: a page, with text</source>
-        <translation>PDF : une page, avec du texte</translation>
+        <translation>PDF : une page, avec du texte</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>PNG: pixels, may be transparent</source>
-        <translation>PNG : pixels, transparence possible</translation>
+        <translation>PNG : pixels, transparence possible</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
@@ -6306,7 +6321,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="picture_dialog.cpp"/>
         <source>SVG: legend and compass as text</source>
-        <translation>SVG : légende et boussole en texte</translation>
+        <translation>SVG : légende et boussole en texte</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>
@@ -6331,27 +6346,27 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="picture_file.cpp"/>
         <source>%1 cannot be read: check the path.</source>
-        <translation>%1 ne peut pas être lu : vérifier le chemin.</translation>
+        <translation>%1 ne peut pas être lu : vérifier le chemin.</translation>
     </message>
     <message>
         <location filename="picture_file.cpp"/>
         <source>%1 has %2 x %3 pixels: make it smaller, of 64 million at most.</source>
-        <translation>%1 a %2 x %3 pixels : réduisez-la à 64 millions au plus.</translation>
+        <translation>%1 a %2 x %3 pixels : réduisez-la à 64 millions au plus.</translation>
     </message>
     <message>
         <location filename="picture_file.cpp"/>
         <source>%1 has more than 256 MiB: make it smaller.</source>
-        <translation>%1 a plus de 256 Mio : réduisez-la.</translation>
+        <translation>%1 a plus de 256 Mio : réduisez-la.</translation>
     </message>
     <message>
         <location filename="picture_file.cpp"/>
         <source>%1 is cut off or damaged: save or copy the picture again.</source>
-        <translation>%1 est tronquée ou endommagée : enregistrez ou copiez l’image de nouveau.</translation>
+        <translation>%1 est tronquée ou endommagée : enregistrez ou copiez l’image de nouveau.</translation>
     </message>
     <message>
         <location filename="picture_file.cpp"/>
         <source>%1 is neither a PNG nor a JPEG: save the picture as one of these.</source>
-        <translation>%1 n’est ni un PNG ni un JPEG : enregistrer l’image sous l’un de ces formats.</translation>
+        <translation>%1 n’est ni un PNG ni un JPEG : enregistrer l’image sous l’un de ces formats.</translation>
     </message>
     <message>
         <location filename="pin.cpp"/>
@@ -6446,22 +6461,22 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="plan.cpp"/>
         <source>%1 has no column that is called %2; its first line names the variables of the study.</source>
-        <translation>%1 n’a pas de colonne appelée %2 ; sa première ligne nomme les variables de l’étude.</translation>
+        <translation>%1 n’a pas de colonne appelée %2 ; sa première ligne nomme les variables de l’étude.</translation>
     </message>
     <message>
         <location filename="plan.cpp"/>
         <source>%1 has no points; its first line names the variables.</source>
-        <translation>%1 n’a pas de points ; sa première ligne nomme les variables.</translation>
+        <translation>%1 n’a pas de points ; sa première ligne nomme les variables.</translation>
     </message>
     <message>
         <location filename="plan.cpp"/>
         <source>%1: row %2 has no value for %3.</source>
-        <translation>%1 : la ligne %2 n’a pas de valeur pour %3.</translation>
+        <translation>%1 : la ligne %2 n’a pas de valeur pour %3.</translation>
     </message>
     <message>
         <location filename="plan.cpp"/>
         <source>A plan of Sobol' has up to %1 variables, and this study %2; take latin_hypercube.</source>
-        <translation>Un plan de Sobol a jusqu’à %1 variables, et cette étude %2 ; prendre latin_hypercube.</translation>
+        <translation>Un plan de Sobol a jusqu’à %1 variables, et cette étude %2 ; prendre latin_hypercube.</translation>
     </message>
     <message>
         <location filename="plan.cpp"/>
@@ -6471,7 +6486,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="plan.cpp"/>
         <source>The plan has %1 points; a study has up to %2.</source>
-        <translation>Le plan a %1 points ; une étude en a jusqu’à %2.</translation>
+        <translation>Le plan a %1 points ; une étude en a jusqu’à %2.</translation>
     </message>
     <message>
         <location filename="plot_arrangement.cpp"/>
@@ -6501,7 +6516,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="plot_bands.cpp"/>
         <source>The certificate is of another run: the design has been edited since, or the run was steered or touched.</source>
-        <translation>Le certificat est celui d’une autre simulation : le modèle a été modifié depuis, ou la simulation a été pilotée ou touchée.</translation>
+        <translation>Le certificat est celui d’une autre simulation : le modèle a été modifié depuis, ou la simulation a été pilotée ou touchée.</translation>
     </message>
     <message>
         <location filename="plot_bands.cpp"/>
@@ -6606,7 +6621,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="plot_menu.cpp"/>
         <source>Name:</source>
-        <translation>Nom :</translation>
+        <translation>Nom :</translation>
     </message>
     <message>
         <location filename="plot_menu.cpp"/>
@@ -6701,7 +6716,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="plot_view.cpp"/>
         <source>Choose the probe that the curves are against: right click.</source>
-        <translation>Choisissez la sonde en abscisse des courbes : clic droit.</translation>
+        <translation>Choisissez la sonde en abscisse des courbes : clic droit.</translation>
     </message>
     <message>
         <location filename="plot_view.cpp"/>
@@ -6751,17 +6766,17 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="point_scene.cpp"/>
         <source>the builder %1 has no parameter "%2"; did you mean "%3"?</source>
-        <translation>le constructeur %1 n’a pas de paramètre « %2 » ; serait-ce « %3 » ?</translation>
+        <translation>le constructeur %1 n’a pas de paramètre « %2 » ; serait-ce « %3 » ?</translation>
     </message>
     <message>
         <location filename="point_scene.cpp"/>
         <source>the builder %1 has no parameter "%2"; ripstop-cli builders %3 lists them</source>
-        <translation>le constructeur %1 n’a pas de paramètre « %2 » ; ripstop-cli builders %3 les énumère</translation>
+        <translation>le constructeur %1 n’a pas de paramètre « %2 » ; ripstop-cli builders %3 les énumère</translation>
     </message>
     <message>
         <location filename="point_scene.cpp"/>
         <source>the part "%1" was not made by a builder</source>
-        <translation>la pièce « %1 » n’a pas été faite par un constructeur</translation>
+        <translation>la pièce « %1 » n’a pas été faite par un constructeur</translation>
     </message>
     <message>
         <location filename="point_table.cpp"/>
@@ -7101,7 +7116,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="property_difference.cpp"/>
         <source>%1: %2 changed</source>
-        <translation>%1 : %2 a changé</translation>
+        <translation>%1 : %2 a changé</translation>
     </message>
     <message>
         <location filename="property_difference.cpp"/>
@@ -7351,7 +7366,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="recording_file.cpp"/>
         <source>%1 was not written: no step was made.</source>
-        <translation>%1 n’a pas été écrit : aucun pas n’a été fait.</translation>
+        <translation>%1 n’a pas été écrit : aucun pas n’a été fait.</translation>
     </message>
     <message>
         <location filename="recording_file.cpp"/>
@@ -7396,7 +7411,7 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="reinforcement.cpp"/>
         <source>patch_radius: patches of %1 m cover no panel of this mesh; it takes %2 m, or a finer mesh.</source>
-        <translation>patch_radius : des renforts de %1 m ne couvrent aucun panneau de ce maillage ; il faut %2 m, ou un maillage plus fin.</translation>
+        <translation>patch_radius : des renforts de %1 m ne couvrent aucun panneau de ce maillage ; il faut %2 m, ou un maillage plus fin.</translation>
     </message>
     <message>
         <location filename="remedies.cpp"/>
@@ -7814,17 +7829,22 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="run_accuracy.cpp"/>
         <source>%1. By now it is kept; a shorter time step may keep it throughout.</source>
-        <translation>%1. À présent elle est tenue ; un pas de temps plus court peut la tenir tout du long.</translation>
+        <translation>%1. À présent elle est tenue ; un pas de temps plus court peut la tenir tout du long.</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
         <source>%1. Pulls in links are off by %2 % in the last one, where %3 % are wanted: the design is not as stiff as it says. %4</source>
-        <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. %4</translation>
+        <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. %4</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
         <source>%1. Rods that never stretch are %2 % too long in the last one, where %3 % are wanted. %4</source>
         <translation>%1. Au dernier, des tiges qui ne s’étirent jamais sont trop longues de %2 %, où %3 % sont voulus. %4</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>No step could be told how true it was: the motion runs away. Take a shorter time step, or smaller loads.</source>
+        <translation>Pour aucun pas on n’a pu dire s’il était juste : le mouvement s’emballe. Prenez un pas de temps plus court, ou des charges plus petites.</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
@@ -8024,7 +8044,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="scene_difference.cpp"/>
         <source>%1 added: %2</source>
-        <translation>%1 en plus : %2</translation>
+        <translation>%1 en plus : %2</translation>
     </message>
     <message>
         <location filename="scene_difference.cpp"/>
@@ -8034,17 +8054,17 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="scene_difference.cpp"/>
         <source>%1 removed: %2</source>
-        <translation>%1 en moins : %2</translation>
+        <translation>%1 en moins : %2</translation>
     </message>
     <message>
         <location filename="scene_difference.cpp"/>
         <source>%1: %2 added %3, removed %4</source>
-        <translation>%1 : %2 en plus %3, en moins %4</translation>
+        <translation>%1 : %2 en plus %3, en moins %4</translation>
     </message>
     <message>
         <location filename="scene_difference.cpp"/>
         <source>%1: changed by hand besides, %2 -&gt; %3 elements</source>
-        <translation>%1 : modifié à la main en outre, %2 -&gt; %3 éléments</translation>
+        <translation>%1 : modifié à la main en outre, %2 -&gt; %3 éléments</translation>
     </message>
     <message>
         <location filename="scene_difference.cpp"/>
@@ -8503,8 +8523,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="settle_dialog.cpp"/>
-        <source>Not still after %1 s: the fastest particle has %2 m/s. Try kinetic damping, viscosity, a higher speed or more time.</source>
-        <translation>Pas encore immobile après %1 s : la particule la plus rapide a %2 m/s. Essayer l’amortissement cinétique, de la viscosité, une vitesse plus grande ou plus de temps.</translation>
+        <source>Not still after %1 s: in the last half second the fastest particle had %2 m/s. Try kinetic damping, viscosity, a higher speed or more time.</source>
+        <translation>Pas immobile après %1 s : dans la dernière demi-seconde, la particule la plus rapide avait %2 m/s. Essayez l’amortissement cinétique, la viscosité, une vitesse plus grande ou plus de temps.</translation>
     </message>
     <message>
         <location filename="settle_dialog.cpp"/>
@@ -8814,7 +8834,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solid.cpp"/>
         <source>Collider %1 needs a height above 0: correct the second number of its size.</source>
-        <translation>L’obstacle %1 demande une hauteur au-dessus de 0 : corriger le deuxième nombre de sa taille.</translation>
+        <translation>L’obstacle %1 demande une hauteur au-dessus de 0 : corriger le deuxième nombre de sa taille.</translation>
     </message>
     <message>
         <location filename="solid.cpp"/>
@@ -8829,12 +8849,12 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 links, springs among them that are too stiff for the substep, are solved together; %2</source>
-        <translation>%1 liaisons, dont des ressorts trop raides pour le sous-pas, sont résolues ensemble ; %2</translation>
+        <translation>%1 liaisons, dont des ressorts trop raides pour le sous-pas, sont résolues ensemble ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 panels carry the pull of the fabric and are solved together with all rods; %2</source>
-        <translation>%1 panneaux portent la traction du tissu et sont résolus ensemble avec toutes les tiges ; %2</translation>
+        <translation>%1 panneaux portent la traction du tissu et sont résolus ensemble avec toutes les tiges ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -8849,32 +8869,32 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved directly, which costs little for what they join; %2</source>
-        <translation>%1 tiges sont résolues directement, ce qui coûte peu pour ce qu’elles relient ; %2</translation>
+        <translation>%1 tiges sont résolues directement, ce qui coûte peu pour ce qu’elles relient ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, as %2 needs it; %3</source>
-        <translation>%1 tiges sont résolues ensemble, comme %2 le demande ; %3</translation>
+        <translation>%1 tiges sont résolues ensemble, comme %2 le demande ; %3</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, since spars among them bend; %2</source>
-        <translation>%1 tiges sont résolues ensemble, car des longerons parmi elles fléchissent ; %2</translation>
+        <translation>%1 tiges sont résolues ensemble, car des longerons parmi elles fléchissent ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, since sweeps would need %2 substeps; %3</source>
-        <translation>%1 tiges sont résolues ensemble, car des balayages demanderaient %2 sous-pas ; %3</translation>
+        <translation>%1 tiges sont résolues ensemble, car des balayages demanderaient %2 sous-pas ; %3</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, since the air loads their fabric by more than sweeps hold; %2</source>
-        <translation>%1 tiges sont résolues ensemble, car l’air charge la voile qu’elles tiennent plus que des balayages ne peuvent retenir ; %2</translation>
+        <translation>%1 tiges sont résolues ensemble, car l’air charge la voile qu’elles tiennent plus que des balayages ne peuvent retenir ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, since they are too stiff for sweeps; %2</source>
-        <translation>%1 tiges sont résolues ensemble, car elles sont trop raides pour des balayages ; %2</translation>
+        <translation>%1 tiges sont résolues ensemble, car elles sont trop raides pour des balayages ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -8884,7 +8904,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1; %2 needs at least %3</source>
-        <translation>%1 ; %2 en demande au moins %3</translation>
+        <translation>%1 ; %2 en demande au moins %3</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -9179,7 +9199,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="stability.cpp"/>
         <source>This solver takes what it needs to keep the stiffness of links to %1 %; the bar of the run shows what it reaches.</source>
-        <translation>Ce solveur prend ce qu’il faut pour respecter la raideur des liaisons à %1 % près ; la barre de la simulation montre ce qu’il atteint.</translation>
+        <translation>Ce solveur prend ce qu’il faut pour respecter la raideur des liaisons à %1 % près ; la barre de la simulation montre ce qu’il atteint.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9259,7 +9279,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="start_page.cpp"/>
         <source>Fabric from a mesh: OBJ, STL, PLY, OFF, glTF, Collada, VTP or VTU</source>
-        <translation>Du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF, Collada, VTP ou VTU</translation>
+        <translation>Du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF, Collada, VTP ou VTU</translation>
     </message>
     <message>
         <location filename="start_page.cpp"/>
@@ -9344,7 +9364,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="study.cpp"/>
         <source>has %1, and this Ripstop was built without NLopt, which polishes; leave it out</source>
-        <translation>contient %1, et ce Ripstop a été compilé sans NLopt, qui fait l’affinage ; retirez-le</translation>
+        <translation>contient %1, et ce Ripstop a été compilé sans NLopt, qui fait l’affinage ; retirez-le</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
@@ -9364,12 +9384,12 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="study.cpp"/>
         <source>has a plan that goes through values, and the variable %1 has none; give it "values", or "from", "to" and "count"</source>
-        <translation>a un plan qui parcourt des valeurs, et la variable %1 n’en a pas ; lui donner « values », ou « from », « to » et « count »</translation>
+        <translation>a un plan qui parcourt des valeurs, et la variable %1 n’en a pas ; lui donner « values », ou « from », « to » et « count »</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
         <source>has a plan that optimises, and no objectives; say what is wanted</source>
-        <translation>a un plan qui optimise, et aucun objectif (objectives) ; dites ce qui est voulu</translation>
+        <translation>a un plan qui optimise, et aucun objectif (objectives) ; dites ce qui est voulu</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
@@ -9389,32 +9409,32 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="study.cpp"/>
         <source>is no study: line %1, column %2 %3</source>
-        <translation>n’est pas une étude : ligne %1, colonne %2 %3</translation>
+        <translation>n’est pas une étude : ligne %1, colonne %2 %3</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
         <source>keeps the best flights, and has no objectives; say what is wanted</source>
-        <translation>garde les meilleurs vols et n’a pas d’objectifs ; dites ce qui est voulu</translation>
+        <translation>garde les meilleurs vols et n’a pas d’objectifs ; dites ce qui est voulu</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
         <source>was written by another version of Ripstop; use that</source>
-        <translation>a été écrit par une autre version de Ripstop ; utiliser celle-ci</translation>
+        <translation>a été écrit par une autre version de Ripstop ; utiliser celle-ci</translation>
     </message>
     <message>
         <location filename="study_database.cpp"/>
         <source>%1 is not written: this Ripstop was built without SQLite.</source>
-        <translation>%1 n’est pas écrit : ce Ripstop a été compilé sans SQLite.</translation>
+        <translation>%1 n’est pas écrit : ce Ripstop a été compilé sans SQLite.</translation>
     </message>
     <message>
         <location filename="study_database.cpp"/>
         <source>%1 is there and is no database of SQLite; it is left as it is.</source>
-        <translation>%1 existe et n’est pas une base de données SQLite ; il est laissé tel quel.</translation>
+        <translation>%1 existe et n’est pas une base de données SQLite ; il est laissé tel quel.</translation>
     </message>
     <message>
         <location filename="study_fields.h"/>
         <source>has %1 = "%2"; it is one of %3</source>
-        <translation>a %1 = « %2 » ; c’est l’un de %3</translation>
+        <translation>a %1 = « %2 » ; c’est l’un de %3</translation>
     </message>
     <message>
         <location filename="study_fields.h"/>
@@ -9584,7 +9604,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="study_form.cpp"/>
         <source>Those that fulfil all limits and come nearest to what is wanted; a flight that is overtaken loses its recording.</source>
-        <translation>Ceux qui respectent toutes les limites et s’approchent le plus de ce qui est voulu ; un vol dépassé perd son enregistrement.</translation>
+        <translation>Ceux qui respectent toutes les limites et s’approchent le plus de ce qui est voulu ; un vol dépassé perd son enregistrement.</translation>
     </message>
     <message>
         <location filename="study_form.cpp"/>
@@ -9669,14 +9689,14 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="study_panel.cpp"/>
         <source>A new study of the open design; this one stays in its file.</source>
-        <translation>Une nouvelle étude de la conception ouverte ; celle-ci reste dans son fichier.</translation>
+        <translation>Une nouvelle étude de la conception ouverte ; celle-ci reste dans son fichier.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
         <source>A study flies the design many times with other values and shows what came of it as a map: for which stiffness and which strength does it hold?
 
 Right-click the name of a property, in the inspector or beside a slider, and choose Study this.</source>
-        <translation>Une étude fait voler la conception de nombreuses fois avec d’autres valeurs et montre le résultat sur une carte : pour quelle raideur et quelle résistance tient-elle ?
+        <translation>Une étude fait voler la conception de nombreuses fois avec d’autres valeurs et montre le résultat sur une carte : pour quelle raideur et quelle résistance tient-elle ?
 
 Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un curseur, puis Étudier ceci.</translation>
     </message>
@@ -9693,7 +9713,7 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="study_panel.cpp"/>
         <source>Flown by another build, %1: %2. They stay, and are flown anew.</source>
-        <translation>Volés par une autre version, %1 : %2. Ils restent, et sont refaits.</translation>
+        <translation>Volés par une autre version, %1 : %2. Ils restent, et sont refaits.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -9723,7 +9743,7 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="study_panel.cpp"/>
         <source>Nothing varies yet: choose Study this on a property.</source>
-        <translation>Rien ne varie encore : choisir Étudier ceci sur une propriété.</translation>
+        <translation>Rien ne varie encore : choisir Étudier ceci sur une propriété.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -9753,7 +9773,7 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="study_panel.cpp"/>
         <source>The map is that of the study before you changed it; Fly adds the rest.</source>
-        <translation>La carte est celle de l’étude avant sa modification ; Voler ajoute le reste.</translation>
+        <translation>La carte est celle de l’étude avant sa modification ; Voler ajoute le reste.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -9768,22 +9788,22 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="study_panel_flights.cpp"/>
         <source>%1 of %2 flights came to another state than the study has: the study is of another version or machine.</source>
-        <translation>%1 vols sur %2 sont arrivés à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
+        <translation>%1 vols sur %2 sont arrivés à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
     </message>
     <message>
         <location filename="study_panel_flights.cpp"/>
         <source>%1: flown again, and it came to another state than the study has: the study is of another version or machine.</source>
-        <translation>%1 : revolé, et arrivé à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
+        <translation>%1 : revolé, et arrivé à un autre état que celui de l’étude : elle est d’une autre version ou d’une autre machine.</translation>
     </message>
     <message>
         <location filename="study_panel_flights.cpp"/>
         <source>%1: flown again, the same to the bit. The timeline has it.</source>
-        <translation>%1 : revolé, identique au bit près. La chronologie l’a.</translation>
+        <translation>%1 : revolé, identique au bit près. La chronologie l’a.</translation>
     </message>
     <message>
         <location filename="study_panel_flights.cpp"/>
         <source>The design has the values of the study now: %1</source>
-        <translation>La conception a maintenant les valeurs de l’étude : %1</translation>
+        <translation>La conception a maintenant les valeurs de l’étude : %1</translation>
     </message>
     <message>
         <location filename="study_panel_flights.cpp"/>
@@ -9977,7 +9997,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="suggested_variable.cpp"/>
         <source>%1 cannot be varied: it is no number, vector, switch or choice that is there.</source>
-        <translation>%1 ne peut pas varier : ce n’est ni un nombre, ni un vecteur, ni un interrupteur, ni un choix qui soit là.</translation>
+        <translation>%1 ne peut pas varier : ce n’est ni un nombre, ni un vecteur, ni un interrupteur, ni un choix qui soit là.</translation>
     </message>
     <message>
         <location filename="suggested_variable.cpp"/>
@@ -10012,17 +10032,17 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>1 gives all particles but the payload the same mass, as the paper on kites did; 0 weighs cloth, lines and hoop where they are.</source>
-        <translation>1 donne à toutes les particules sauf la charge la même masse, comme l’article sur les cerfs-volants ; 0 pèse la toile, les suspentes et le cerceau là où ils sont.</translation>
+        <translation>1 donne à toutes les particules sauf la charge la même masse, comme l’article sur les cerfs-volants ; 0 pèse la toile, les suspentes et le cerceau là où ils sont.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>1 gives all particles of the kite the same mass, as the paper on kites did; 0 weighs cloth and spars where they are.</source>
-        <translation>1 donne à toutes les particules du cerf-volant la même masse, comme l’article sur les cerfs-volants ; 0 pèse la toile et les longerons là où ils sont.</translation>
+        <translation>1 donne à toutes les particules du cerf-volant la même masse, comme l’article sur les cerfs-volants ; 0 pèse la toile et les longerons là où ils sont.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>1 has panels carry the fabric's pull instead of springs: with warp, weft, shear and wrinkles, and the same on every mesh.</source>
-        <translation>1 fait porter la traction du tissu par les panneaux au lieu de ressorts : avec chaîne, trame, cisaillement et plis, et de même sur tout maillage.</translation>
+        <translation>1 fait porter la traction du tissu par les panneaux au lieu de ressorts : avec chaîne, trame, cisaillement et plis, et de même sur tout maillage.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10062,7 +10082,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>10 kg under a cross of 1.1 oz nylon sink at 4.9 m/s; a frame stands for the air that holds the arms apart. Tune the porosity of square and arms, 0 to 0.2: the more air the cloth lets through, the faster it sinks.</source>
-        <translation>10 kg sous une croix de nylon de 1,1 oz descendent à 4,9 m/s ; un cadre remplace l’air qui tient les bras écartés. Réglez la porosité du carré et des bras (square, arms), de 0 à 0,2 : plus la toile laisse passer d’air, plus il descend vite.</translation>
+        <translation>10 kg sous une croix de nylon de 1,1 oz descendent à 4,9 m/s ; un cadre remplace l’air qui tient les bras écartés. Réglez la porosité du carré et des bras (square, arms), de 0 à 0,2 : plus la toile laisse passer d’air, plus il descend vite.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10072,7 +10092,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>6 m/s with the gusts of light turbulence after Dryden, on a delta of 0.75 oz. Another seed gives other gusts. Tune the line strength of the line: the jerk of the launch pulls with 120 N, gusts with 50 N, and it breaks at 450 N.</source>
-        <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden, sur un delta de 0,75 oz. Une autre graine donne d’autres rafales. Réglez la résistance de la ligne : la secousse du lancement tire avec 120 N, les rafales avec 50 N, et elle rompt à 450 N.</translation>
+        <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden, sur un delta de 0,75 oz. Une autre graine donne d’autres rafales. Réglez la résistance de la ligne : la secousse du lancement tire avec 120 N, les rafales avec 50 N, et elle rompt à 450 N.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10087,7 +10107,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A bowed kite of 0.75 oz ripstop. Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways. Tune the membrane stiffness of sail and trim, 2 to 100 kN/m: a sail that stretches flies lower and pulls less.</source>
-        <translation>Un cerf-volant bombé en ripstop de 0,75 oz. Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté. Réglez la raideur de membrane de sail et trim, de 2 à 100 kN/m : une voile qui s’étire vole plus bas et tire moins.</translation>
+        <translation>Un cerf-volant bombé en ripstop de 0,75 oz. Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté. Réglez la raideur de membrane de sail et trim, de 2 à 100 kN/m : une voile qui s’étire vole plus bas et tire moins.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10097,12 +10117,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 26 N as the canopy opens, 11 N as it sinks, and breaks at 445 N, at its knots at 267 N. The dock Loads lists what is nearest to breaking.</source>
-        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 26 N à l’ouverture, 11 N en descente, et rompt à 445 N, à ses nœuds à 267 N. Le panneau Charges liste ce qui est le plus près de rompre.</translation>
+        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 26 N à l’ouverture, 11 N en descente, et rompt à 445 N, à ses nœuds à 267 N. Le panneau Charges liste ce qui est le plus près de rompre.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>A canopy of F-111, which lets next to no air through, is thrown down in folds at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the porosity of odd and even gores, 0 to 0.1: cloth that leaks opens later and sinks faster.</source>
-        <translation>Une voilure de F-111, qui ne laisse presque pas passer d’air, est lancée pliée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la porosité des fuseaux impairs et pairs (odd gores, even gores), de 0 à 0,1 : une toile qui fuit s’ouvre plus tard et descend plus vite.</translation>
+        <translation>Une voilure de F-111, qui ne laisse presque pas passer d’air, est lancée pliée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la porosité des fuseaux impairs et pairs (odd gores, even gores), de 0 à 0,1 : une toile qui fuit s’ouvre plus tard et descend plus vite.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10122,7 +10142,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A delta of 5 m and 0.5 oz in a gusty wind. At 15.3 s, after a lull, a gust of 15 m/s snaps its line tight: it pulls with 1.2 kN, and the old pocket along the leading edge, taken to bear 0.075 of the cloth's strength, tears at 400 N/m. Tune the joint efficiency of the border, 0.05 to 0.2; or give sail and border 0.75 oz, which also takes their tear rule and efficiency: with strength and 0.075 again it holds, with a fifth to spare.</source>
-        <translation>Un delta de 5 m en 0,5 oz dans un vent de rafales. À 15,3 s, après une accalmie, une rafale de 15 m/s tend sa ligne d’un coup : elle tire à 1,2 kN, et le vieux fourreau du bord d’attaque, censé garder 0,075 de la résistance de la toile, se déchire à 400 N/m. Réglez la tenue des coutures de « border », de 0,05 à 0,2 ; ou donnez à « sail » et « border » le 0,75 oz, qui leur prend aussi leur règle de rupture et leur tenue des coutures : avec « résistance » et de nouveau 0,075, il tient, avec un cinquième de marge.</translation>
+        <translation>Un delta de 5 m en 0,5 oz dans un vent de rafales. À 15,3 s, après une accalmie, une rafale de 15 m/s tend sa ligne d’un coup : elle tire à 1,2 kN, et le vieux fourreau du bord d’attaque, censé garder 0,075 de la résistance de la toile, se déchire à 400 N/m. Réglez la tenue des coutures de « border », de 0,05 à 0,2 ; ou donnez à « sail » et « border » le 0,75 oz, qui leur prend aussi leur règle de rupture et leur tenue des coutures : avec « résistance » et de nouveau 0,075, il tient, avec un cinquième de marge.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10157,7 +10177,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A kite of 0.75 oz ripstop on fibreglass tubes of 6 mm. Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways. Tune the wind, 3 to 12 m/s, and the line strength of the line, 1 to 10 N: it breaks where the pull is more.</source>
-        <translation>Un cerf-volant en ripstop de 0,75 oz sur des tubes de fibre de verre de 6 mm. Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté. Réglez le vent, de 3 à 12 m/s, et la résistance de la ligne, de 1 à 10 N : elle rompt quand la traction est plus forte.</translation>
+        <translation>Un cerf-volant en ripstop de 0,75 oz sur des tubes de fibre de verre de 6 mm. Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté. Réglez le vent, de 3 à 12 m/s, et la résistance de la ligne, de 1 à 10 N : elle rompt quand la traction est plus forte.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10187,7 +10207,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A loose sheet of 0.75 oz ripstop falls over a ball and stays on it. Ball and ground are solved together with the cloth, so that it is as stiff as it says. Tune the friction of the ball, 0 to 0.6: on a smooth one it slides off.</source>
-        <translation>Une toile libre de ripstop de 0,75 oz tombe sur une boule et y reste. La boule et le sol sont résolus avec la toile, qui est donc aussi raide qu’il est dit. Réglez le frottement de la boule, de 0 à 0,6 : d’une boule lisse, elle glisse.</translation>
+        <translation>Une toile libre de ripstop de 0,75 oz tombe sur une boule et y reste. La boule et le sol sont résolus avec la toile, qui est donc aussi raide qu’il est dit. Réglez le frottement de la boule, de 0 à 0,6 : d’une boule lisse, elle glisse.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10266,6 +10286,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>A sheet of masses and springs, held by two corners, hangs down over a sphere. The arrow keys move a corner. Tune the stiffness of the springs, 20 to 1000 N/m: soft ones sag.</source>
+        <translation>Une toile de masses et de ressorts, tenue par deux coins, retombe sur une sphère. Les touches fléchées déplacent un coin. Réglez la raideur des ressorts, 20 à 1000 N/m : les mous s’affaissent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A sheet over a bowed frame, a bridle of four legs and a tail.</source>
         <translation>Une toile sur une armature arquée, une bride à quatre brins et une queue.</translation>
     </message>
@@ -10302,7 +10327,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A wing of 14 m2 and aspect ratio 7.2 of laminate and tubes of 62 mm with the vortex law, at the mass and the drag of a modern hang glider. It glides at 11, such wings reach 13.4 (USHPA-4), and the plate law half of it. The keys shift the pilot. Tune the flexural rigidity of the tube, 500 to 20 000 N m2: with soft leading edges it swings up and down.</source>
-        <translation>Une aile de 14 m2 et d’allongement 7,2, en laminé sur des tubes de 62 mm, avec la loi tourbillonnaire, à la masse et à la traînée d’un deltaplane moderne. Elle plane à 11, de telles ailes atteignent 13,4 (USHPA-4), et la loi des plaques la moitié. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 20 000 N m2 : avec des bords d’attaque souples, elle ondule de haut en bas.</translation>
+        <translation>Une aile de 14 m2 et d’allongement 7,2, en laminé sur des tubes de 62 mm, avec la loi tourbillonnaire, à la masse et à la traînée d’un deltaplane moderne. Elle plane à 11, de telles ailes atteignent 13,4 (USHPA-4), et la loi des plaques la moitié. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 20 000 N m2 : avec des bords d’attaque souples, elle ondule de haut en bas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10426,6 +10451,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>All to one</source>
+        <translation>Toutes à une seule</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Along a line</source>
         <translation>Le long d’une ligne</translation>
     </message>
@@ -10517,17 +10547,17 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Angle between the warp of real cloth and the arm that it is cut for; 45 is a bias cut.</source>
-        <translation>Angle entre la chaîne d’une vraie toile et le bras pour lequel elle est coupée ; 45 est une coupe en biais.</translation>
+        <translation>Angle entre la chaîne d’une vraie toile et le bras pour lequel elle est coupée ; 45 est une coupe en biais.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Angle between the warp of real cloth and the middle of its gore; 45 is a bias cut.</source>
-        <translation>Angle entre la chaîne d’une vraie toile et le milieu de son fuseau ; 45 est une coupe en biais.</translation>
+        <translation>Angle entre la chaîne d’une vraie toile et le milieu de son fuseau ; 45 est une coupe en biais.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Angle between the warp of real cloth and the trailing edge, mirrored at the keel; at 90 it runs along the keel.</source>
-        <translation>Angle entre la chaîne d’une vraie toile et le bord de fuite, en miroir de part et d’autre de la quille ; à 90 elle suit la quille.</translation>
+        <translation>Angle entre la chaîne d’une vraie toile et le bord de fuite, en miroir de part et d’autre de la quille ; à 90 elle suit la quille.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10592,17 +10622,17 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>As in the paper: 152 particles of equal mass, 458 rods, 55 iterations of averaging, 100 Hz. It stands in 3 m/s of wind; the rods where the line pulls are half as long again as they should be.</source>
-        <translation>Comme dans l’article : 152 particules de même masse, 458 tiges, 55 itérations de moyennes, 100 Hz. Il tient dans un vent de 3 m/s ; les tiges là où la ligne tire sont une fois et demie trop longues.</translation>
+        <translation>Comme dans l’article : 152 particules de même masse, 458 tiges, 55 itérations de moyennes, 100 Hz. Il tient dans un vent de 3 m/s ; les tiges là où la ligne tire sont une fois et demie trop longues.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>As in the paper: 49 particles, 198 rods, 55 iterations of averaging, 100 Hz. The keys shift the pilot. It comes down at more than 40 degrees, since averaging does not keep momentum.</source>
-        <translation>Comme dans l’article : 49 particules, 198 tiges, 55 itérations de moyennes, 100 Hz. Les touches déplacent le pilote. Il descend à plus de 40 degrés, car les moyennes ne conservent pas la quantité de mouvement.</translation>
+        <translation>Comme dans l’article : 49 particules, 198 tiges, 55 itérations de moyennes, 100 Hz. Les touches déplacent le pilote. Il descend à plus de 40 degrés, car les moyennes ne conservent pas la quantité de mouvement.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>As in the paper: six rings, a hoop, 55 iterations of averaging, 100 Hz. It sinks twice as fast as it should, since averaging does not keep momentum; take averaged_jacobi as the rod solver to see the difference.</source>
-        <translation>Comme dans l’article : six anneaux, un cerceau, 55 itérations de moyennes, 100 Hz. Il descend deux fois trop vite, car les moyennes ne conservent pas la quantité de mouvement ; prendre averaged_jacobi comme solveur des tiges pour voir la différence.</translation>
+        <translation>Comme dans l’article : six anneaux, un cerceau, 55 itérations de moyennes, 100 Hz. Il descend deux fois trop vite, car les moyennes ne conservent pas la quantité de mouvement ; prendre averaged_jacobi comme solveur des tiges pour voir la différence.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10872,7 +10902,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Canopy pressure coefficient: the air fills the canopy and holds it open, without a frame, and the drag is what comes of it; 0 has each panel meet the wind by itself.</source>
-        <translation>Coefficient de pression de voilure : l’air remplit la voilure et la tient ouverte, sans cadre, et la traînée est ce qui en sort ; 0 laisse chaque panneau rencontrer le vent seul.</translation>
+        <translation>Coefficient de pression de voilure : l’air remplit la voilure et la tient ouverte, sans cadre, et la traînée est ce qui en sort ; 0 laisse chaque panneau rencontrer le vent seul.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11012,27 +11042,27 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Cloth falls in a wind, wraps a sphere and swings. The plot shows where its energy comes from and where it goes; the residual is what the solver made of it.</source>
-        <translation>Une étoffe tombe dans le vent, enveloppe une sphère et se balance. La courbe montre d’où vient son énergie et où elle va ; le résidu est ce que le solveur en a fait.</translation>
+        <translation>Une étoffe tombe dans le vent, enveloppe une sphère et se balance. La courbe montre d’où vient son énergie et où elle va ; le résidu est ce que le solveur en a fait.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.</source>
-        <translation>Toile de la voilure ; une toile idéale ne s’étire jamais et a le poids et la porosité dits plus bas, une vraie est portée par des panneaux, fait des plis et ne pousse pas.</translation>
+        <translation>Toile de la voilure ; une toile idéale ne s’étire jamais et a le poids et la porosité dits plus bas, une vraie est portée par des panneaux, fait des plis et ne pousse pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Cloth of the flag; ideal cloth is a sheet of springs, as stiff and heavy as said below, a real one is carried by panels and wrinkles.</source>
-        <translation>Tissu du drapeau ; un tissu idéal est une nappe de ressorts, aussi raide et lourde qu’indiqué plus bas, un vrai est porté par des panneaux et fait des plis.</translation>
+        <translation>Tissu du drapeau ; un tissu idéal est une nappe de ressorts, aussi raide et lourde qu’indiqué plus bas, un vrai est porté par des panneaux et fait des plis.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Cloth of the sail; ideal cloth never stretches and weighs what is said above, a real one is carried by panels and wrinkles.</source>
-        <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus haut, une vraie est portée par des panneaux et fait des plis.</translation>
+        <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus haut, une vraie est portée par des panneaux et fait des plis.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Cloth of the sail; ideal cloth never stretches and weighs what is said below, a real one is carried by panels and wrinkles.</source>
-        <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus bas, une vraie est portée par des panneaux et fait des plis.</translation>
+        <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus bas, une vraie est portée par des panneaux et fait des plis.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11042,7 +11072,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Cloth that doubles real cloth where it is pulled at a point: at nose, tips and corners, and where lines are tied.</source>
-        <translation>Toile qui double une vraie toile là où elle est tirée en un point : au nez, aux bouts et aux coins, et là où des lignes sont attachées.</translation>
+        <translation>Toile qui double une vraie toile là où elle est tirée en un point : au nez, aux bouts et aux coins, et là où des lignes sont attachées.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11192,7 +11222,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Cross tube, control frame, wires and fittings, shared by the nodes of the frame; where the cloth is real, whose weight and that of the tubes come to it.</source>
-        <translation>Transversale, trapèze, câbles et accastillage, répartis sur les nœuds de la structure ; pour une vraie toile, dont le poids et celui des tubes s’y ajoutent.</translation>
+        <translation>Transversale, trapèze, câbles et accastillage, répartis sur les nœuds de la structure ; pour une vraie toile, dont le poids et celui des tubes s’y ajoutent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11217,7 +11247,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Curves over time for a paper, a panel for each unit; sharp at any size.</source>
-        <translation>Courbes dans le temps pour un article, un cadre par unité ; nettes à toute taille.</translation>
+        <translation>Courbes dans le temps pour un article, un cadre par unité ; nettes à toute taille.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11402,12 +11432,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Drag coefficient of sail and spars edge on, as skin friction of the sail.</source>
-        <translation>Coefficient de traînée de la voile et des longerons de chant, comme frottement de peau de la voile.</translation>
+        <translation>Coefficient de traînée de la voile et des longerons de chant, comme frottement pariétal de la voile.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin friction.</source>
-        <translation>Coefficient de traînée de la voile, des câbles, de l’armature et du pilote ensemble, répartie sur la voile comme frottement de peau.</translation>
+        <translation>Coefficient de traînée de la voile, des câbles, de l’armature et du pilote ensemble, répartie sur la voile comme frottement pariétal.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11452,12 +11482,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>E t of a fabric across its warp, where panels carry its pull; empty takes the membrane stiffness.</source>
-        <translation>E t d’un tissu en travers de sa chaîne, là où les panneaux portent sa traction ; vide prend la raideur de membrane.</translation>
+        <translation>E t d’un tissu en travers de sa chaîne, là où les panneaux portent sa traction ; vide prend la raideur de membrane.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>E t of a fabric along its threads, its tension per width and strain: links with the role thread get theirs from it and from their width, and so do elastic panels along their warp; empty leaves it to stiffness and compliance.</source>
-        <translation>E t d’un tissu le long de ses fils, sa tension par largeur et déformation : les liaisons au rôle de fil tirent la leur de lui et de leur largeur, et les panneaux élastiques aussi le long de leur chaîne ; vide laisse faire la raideur et la souplesse.</translation>
+        <translation>E t d’un tissu le long de ses fils, sa tension par largeur et déformation : les liaisons au rôle de fil tirent la leur de lui et de leur largeur, et les panneaux élastiques aussi le long de leur chaîne ; vide laisse faire la raideur et la souplesse.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11542,7 +11572,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Energy change that no work explains: what the solver has made (above 0) or lost.</source>
-        <translation>Variation d’énergie qu’aucun travail n’explique : ce que le solveur a créé (au-dessus de 0) ou perdu.</translation>
+        <translation>Variation d’énergie qu’aucun travail n’explique : ce que le solveur a créé (au-dessus de 0) ou perdu.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11872,7 +11902,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>G t of a fabric, its shear force per width and angle: links with the role bias and elastic panels get theirs from it; empty leaves links to stiffness and compliance, and gives panels that of a sheet without threads.</source>
-        <translation>G t d’un tissu, sa force de cisaillement par largeur et angle : les liaisons au rôle de biais et les panneaux élastiques tirent la leur de lui ; vide laisse les liaisons à la raideur et à la souplesse, et donne aux panneaux celle d’une feuille sans fils.</translation>
+        <translation>G t d’un tissu, sa force de cisaillement par largeur et angle : les liaisons au rôle de biais et les panneaux élastiques tirent la leur de lui ; vide laisse les liaisons à la raideur et à la souplesse, et donne aux panneaux celle d’une feuille sans fils.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12237,27 +12267,27 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>How many times as long as wide the cells of the fabric beside a thread are, whose diagonals resist stretching along it by the square of that: the thread takes so much off its own stiffness.</source>
-        <translation>Combien de fois plus longues que larges sont les mailles du tissu au bord d’un fil, dont les diagonales résistent à l’étirement par le carré de ce rapport : le fil le retranche de sa propre raideur.</translation>
+        <translation>Combien de fois plus longues que larges sont les mailles du tissu au bord d’un fil, dont les diagonales résistent à l’étirement par le carré de ce rapport : le fil le retranche de sa propre raideur.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>How many times as stiff the link is as its material makes it: above 1 where it is reinforced, below where it is worn; a stiffness of its own is taken as it is, and bending is not touched.</source>
-        <translation>Combien de fois la liaison est plus raide que ne le fait son matériau : plus de 1 là où elle est renforcée, moins là où elle est usée ; une raideur propre est prise telle quelle, et la flexion n’est pas touchée.</translation>
+        <translation>Combien de fois la liaison est plus raide que ne le fait son matériau : plus de 1 là où elle est renforcée, moins là où elle est usée ; une raideur propre est prise telle quelle, et la flexion n’est pas touchée.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>How many times as stiff the panel is in its plane as its material makes it, where panels carry the pull of the fabric: above 1 where cloth lies double, below where it is worn.</source>
-        <translation>Combien de fois le panneau est plus raide dans son plan que ne le fait son matériau, là où les panneaux portent la traction du tissu : plus de 1 là où le tissu est doublé, moins là où il est usé.</translation>
+        <translation>Combien de fois le panneau est plus raide dans son plan que ne le fait son matériau, là où les panneaux portent la traction du tissu : plus de 1 là où le tissu est doublé, moins là où il est usé.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>How many times as strong the link is as its material makes it, for tears, snapping spars and margins: below 1 where it is worn or sewn; a tear limit of its own is taken as it is.</source>
-        <translation>Combien de fois la liaison est plus résistante que ne le fait son matériau, pour les déchirures, les espars qui cassent et les marges : moins de 1 là où elle est usée ou cousue ; une limite de déchirure propre est prise telle quelle.</translation>
+        <translation>Combien de fois la liaison est plus résistante que ne le fait son matériau, pour les déchirures, les espars qui cassent et les marges : moins de 1 là où elle est usée ou cousue ; une limite de déchirure propre est prise telle quelle.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>How many times as strong the panel is as its material makes it, for tears and margins, where panels carry the pull of the fabric: below 1 where it is worn or sewn.</source>
-        <translation>Combien de fois le panneau est plus résistant que ne le fait son matériau, pour les déchirures et les marges, là où les panneaux portent la traction du tissu : moins de 1 là où il est usé ou cousu.</translation>
+        <translation>Combien de fois le panneau est plus résistant que ne le fait son matériau, pour les déchirures et les marges, là où les panneaux portent la traction du tissu : moins de 1 là où il est usé ou cousu.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12277,7 +12307,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>How much of the run is in sight, up to now; 0 shows all of it.</source>
-        <translation>Durée visible de la simulation, jusqu'à maintenant ; 0 la montre en entier.</translation>
+        <translation>Durée visible de la simulation, jusqu'à maintenant ; 0 la montre en entier.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12427,7 +12457,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Kite cloth of E t = 40 kN/m, G t = 1.2 kN/m: its panels carry the pull, with warp, weft and shear, and wrinkle instead of pushing.</source>
-        <translation>Toile de cerf-volant de E t = 40 kN/m, G t = 1,2 kN/m : ses panneaux portent la traction, avec chaîne, trame et cisaillement, et plissent au lieu de pousser.</translation>
+        <translation>Toile de cerf-volant de E t = 40 kN/m, G t = 1,2 kN/m : ses panneaux portent la traction, avec chaîne, trame et cisaillement, et plissent au lieu de pousser.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12447,7 +12477,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Largest error of the pulls in links and elastic panels that a step may leave, against what their stiffness says; the automatic solver takes what that needs, and every run says where it was missed.</source>
-        <translation>Plus grande erreur des tractions dans les liaisons et les panneaux élastiques qu’un pas peut laisser, par rapport à ce que dit leur raideur ; le solveur automatique prend ce qu’il faut, et chaque simulation dit où elle a été manquée.</translation>
+        <translation>Plus grande erreur des tractions dans les liaisons et les panneaux élastiques qu’un pas peut laisser, par rapport à ce que dit leur raideur ; le solveur automatique prend ce qu’il faut, et chaque simulation dit où elle a été manquée.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12457,7 +12487,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Largest strain that the automatic solver allows in rods without compliance, where it stands for the accuracy; smaller is stiffer and slower.</source>
-        <translation>Plus grande déformation que le solveur automatique admet dans les tiges sans souplesse, où elle tient lieu de précision ; plus petite, c’est plus raide et plus lent.</translation>
+        <translation>Plus grande déformation que le solveur automatique admet dans les tiges sans souplesse, où elle tient lieu de précision ; plus petite, c’est plus raide et plus lent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12527,17 +12557,17 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Length of the side from a to b without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.</source>
-        <translation>Longueur du côté de a à b sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
+        <translation>Longueur du côté de a à b sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Length of the side from b to c without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.</source>
-        <translation>Longueur du côté de b à c sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
+        <translation>Longueur du côté de b à c sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Length of the side from c to a without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.</source>
-        <translation>Longueur du côté de c à a sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
+        <translation>Longueur du côté de c à a sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12782,7 +12812,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Load over strength, of the link or panel that is nearest to breaking: 1 breaks. Strength is that of the material times its joint efficiency over the safety factor of the scene.</source>
-        <translation>Charge sur résistance, de la liaison ou du panneau le plus proche de rompre : rupture à 1. La résistance est celle du matériau, fois sa tenue des coutures et nœuds, sur le coefficient de sécurité de la scène.</translation>
+        <translation>Charge sur résistance, de la liaison ou du panneau le plus proche de rompre : rupture à 1. La résistance est celle du matériau, fois sa tenue des coutures et nœuds, sur le coefficient de sécurité de la scène.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12797,7 +12827,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Lower end of the axis of values, in the unit of the curves; empty fits what is in sight.</source>
-        <translation>Bas de l'axe des valeurs, dans l'unité des courbes ; vide, il s'ajuste à ce qui est visible.</translation>
+        <translation>Bas de l'axe des valeurs, dans l'unité des courbes ; vide, il s'ajuste à ce qui est visible.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12852,7 +12882,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Margins count every strength as so many times lower, so that with 2 a margin of 1 is half of what breaks; flights and tears do not depend on it.</source>
-        <translation>Les marges comptent chaque résistance tant de fois plus faible : avec 2, une marge de 1 est la moitié de ce qui rompt ; ni le vol ni les déchirures n’en dépendent.</translation>
+        <translation>Les marges comptent chaque résistance tant de fois plus faible : avec 2, une marge de 1 est la moitié de ce qui rompt ; ni le vol ni les déchirures n’en dépendent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13237,7 +13267,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Of spars, where two links meet; the largest where there are several places.</source>
-        <translation>Des espars, où deux liaisons se rejoignent ; le plus grand s’il y a plusieurs endroits.</translation>
+        <translation>Des espars, où deux liaisons se rejoignent ; le plus grand s’il y a plusieurs endroits.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13492,7 +13522,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Parts that each time step is cut into, the cheapest way to stiffer rods; the automatic solver takes this many or more, and a quarter of them where the automatic integrator takes bdf2.</source>
-        <translation>Parties en lesquelles chaque pas de temps est coupé, le moyen le moins cher d’avoir des tiges plus raides ; le solveur automatique en prend autant ou plus, et le quart là où l’intégrateur automatique prend bdf2.</translation>
+        <translation>Parties en lesquelles chaque pas de temps est coupé, le moyen le moins cher d’avoir des tiges plus raides ; le solveur automatique en prend autant ou plus, et le quart là où l’intégrateur automatique prend bdf2.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13667,7 +13697,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own.</source>
-        <translation>Porosité d’une toile idéale ; environ 0,03 pour un nylon de parachute. Une vraie toile a la sienne.</translation>
+        <translation>Porosité d’une toile idéale ; environ 0,03 pour un nylon de parachute. Une vraie toile a la sienne.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13732,12 +13762,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Probes whose curves it has; empty has all that are plotted.</source>
-        <translation>Sondes dont il porte les courbes ; vide, toutes celles qui sont tracées.</translation>
+        <translation>Sondes dont il porte les courbes ; vide, toutes celles qui sont tracées.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Pull of a rod per rate of strain over its pull per strain, Kelvin and Voigt's retardation time: what stretches it at w radians per second has the loss factor w times this, and rods that never stretch take none.</source>
-        <translation>Traction d’une tige par vitesse de déformation sur sa traction par déformation, le temps de retard de Kelvin et Voigt : ce qui l’allonge à w radians par seconde a le facteur de perte w fois ce temps, et les tiges qui ne s’allongent jamais n’en prennent pas.</translation>
+        <translation>Traction d’une tige par vitesse de déformation sur sa traction par déformation, le temps de retard de Kelvin et Voigt : ce qui l’allonge à w radians par seconde a le facteur de perte w fois ce temps, et les tiges qui ne s’allongent jamais n’en prennent pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13762,7 +13792,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Pull per width of fabric, the largest of all directions and places: of elastic panels their principal tension, of threads their tension over their width.</source>
-        <translation>Traction par largeur de tissu, la plus grande de toutes les directions et de tous les endroits : des panneaux élastiques leur tension principale, des fils leur tension sur leur largeur.</translation>
+        <translation>Traction par largeur de tissu, la plus grande de toutes les directions et de tous les endroits : des panneaux élastiques leur tension principale, des fils leur tension sur leur largeur.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13792,7 +13822,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Radius of the patches; they cover the panels whose middle lies within it.</source>
-        <translation>Rayon des renforts ; ils couvrent les panneaux dont le milieu s’y trouve.</translation>
+        <translation>Rayon des renforts ; ils couvrent les panneaux dont le milieu s’y trouve.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14062,12 +14092,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Rule that restores the lengths of rods; the automatic one takes what the wanted accuracy needs: small steps, or all rods together where they are stiff or carry heavy loads, and springs with them that are too stiff for the substep; averaged Jacobi conserves momentum, the paper's does not.</source>
-        <translation>Règle qui rend leurs longueurs aux tiges ; l’automatique prend ce que demande la précision voulue : de petits pas, ou toutes les tiges ensemble là où elles sont raides ou portent de lourdes charges, et avec elles les ressorts trop raides pour le sous-pas ; le Jacobi moyenné conserve la quantité de mouvement, celui de l’article non.</translation>
+        <translation>Règle qui rend leurs longueurs aux tiges ; l’automatique prend ce que demande la précision voulue : de petits pas, ou toutes les tiges ensemble là où elles sont raides ou portent de lourdes charges, et avec elles les ressorts trop raides pour le sous-pas ; le Jacobi moyenné conserve la quantité de mouvement, celui de l’article non.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Rule that turns forces into motion; the automatic one takes bdf2 where all rods stretch, are damped and are solved together, and otherwise semi_implicit_euler; implicit_euler and bdf2 hold springs of any stiffness, and bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
-        <translation>Règle qui change les forces en mouvement ; l’automatique prend bdf2 là où toutes les tiges s’allongent, sont amorties et sont résolues ensemble, et sinon semi_implicit_euler ; implicit_euler et bdf2 tiennent des ressorts de toute raideur, bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
+        <translation>Règle qui change les forces en mouvement ; l’automatique prend bdf2 là où toutes les tiges s’allongent, sont amorties et sont résolues ensemble, et sinon semi_implicit_euler ; implicit_euler et bdf2 tiennent des ressorts de toute raideur, bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14077,7 +14107,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Sail and frame together, shared equally by all particles but the pilot; where the cloth is ideal.</source>
-        <translation>Voile et structure ensemble, réparties également sur toutes les particules sauf le pilote ; pour une toile idéale.</translation>
+        <translation>Voile et structure ensemble, réparties également sur toutes les particules sauf le pilote ; pour une toile idéale.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14177,7 +14207,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Share of the chord along which the keel is sewn to a sail of real cloth, from the trailing edge on; its segments follow from those of the wing, and spars weigh where they are, so that the kite is the same at any number of segments. 0 has as many segments as said above.</source>
-        <translation>Part de la corde sur laquelle la quille est cousue à une voile de toile réelle, depuis le bord de fuite ; ses segments suivent ceux de l’aile, et les longerons pèsent là où ils sont, si bien que le cerf-volant est le même avec n’importe quel nombre de segments. 0 lui donne autant de segments que dit plus haut.</translation>
+        <translation>Part de la corde sur laquelle la quille est cousue à une voile de toile réelle, depuis le bord de fuite ; ses segments suivent ceux de l’aile, et les longerons pèsent là où ils sont, si bien que le cerf-volant est le même avec n’importe quel nombre de segments. 0 lui donne autant de segments que dit plus haut.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14287,7 +14317,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Skin friction</source>
-        <translation>Frottement de peau</translation>
+        <translation>Frottement pariétal</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14347,7 +14377,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Spars of the frame; ideal ones never stretch, real ones bend.</source>
-        <translation>Longerons de l’armature ; idéaux, ils ne s’étirent jamais, les vrais fléchissent.</translation>
+        <translation>Longerons de l’armature ; idéaux, ils ne s’étirent jamais, les vrais fléchissent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14462,7 +14492,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Strain by which a fabric that is pulled along its warp gets narrower over the strain along it, where panels carry its pull; 0.1 to 0.2 for tight coated cloth.</source>
-        <translation>Déformation dont un tissu tiré le long de sa chaîne rétrécit, sur la déformation le long d’elle, là où les panneaux portent sa traction ; 0,1 à 0,2 pour un tissu enduit serré.</translation>
+        <translation>Déformation dont un tissu tiré le long de sa chaîne rétrécit, sur la déformation le long d’elle, là où les panneaux portent sa traction ; 0,1 à 0,2 pour un tissu enduit serré.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14667,17 +14697,17 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>The delta of The last gust in 0.75 oz ripstop, with an old crease: along it 8 % of the cloth's strength is left, painted on the panels. At 15.3 s a gust after a lull tears the sail along the crease, from the trailing edge forwards. Colour the fabric by strength factor to see the crease, and paint it stronger with the brush (U): with 12 % it holds.</source>
-        <translation>Le delta de « La dernière rafale » en ripstop de 0,75 oz, avec un vieux pli : il y reste 8 % de la résistance de la toile, peints sur les panneaux. À 15,3 s, une rafale après une accalmie déchire la voile le long du pli, à partir du bord de fuite. Colorez la toile par le facteur de résistance pour voir le pli, et peignez-le plus fort au pinceau (U) : avec 12 %, elle tient.</translation>
+        <translation>Le delta de « La dernière rafale » en ripstop de 0,75 oz, avec un vieux pli : il y reste 8 % de la résistance de la toile, peints sur les panneaux. À 15,3 s, une rafale après une accalmie déchire la voile le long du pli, à partir du bord de fuite. Colorez la toile par le facteur de résistance pour voir le pli, et peignez-le plus fort au pinceau (U) : avec 12 %, elle tient.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>The delta of what one can buy: 0.75 oz ripstop, fibreglass tubes of 6 mm and a line that breaks at 450 N. Tune the membrane stiffness of sail, border and keel cloth, 20 to 90 kN/m, and watch the strain (Alt+2).</source>
-        <translation>Le delta de ce qui s’achète : ripstop de 0,75 oz, tubes de fibre de verre de 6 mm et une ligne qui casse à 450 N. Réglez la raideur de membrane de la voile, du bord et de la toile de quille, de 20 à 90 kN/m, et regardez la déformation (Alt+2).</translation>
+        <translation>Le delta de ce qui s’achète : ripstop de 0,75 oz, tubes de fibre de verre de 6 mm et une ligne qui casse à 450 N. Réglez la raideur de membrane de la voile, du bord et de la toile de quille, de 20 à 90 kN/m, et regardez la déformation (Alt+2).</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>The glider of what one can buy: Dacron of 210 g/m2 on aluminium tubes of 50 mm. The keys shift the pilot. Tune the flexural rigidity of the tube, 500 to 6000 N m2: soft leading edges give way outside of the cross tube, the sail billows, and it sinks faster.</source>
-        <translation>Le deltaplane de ce qui s’achète : Dacron de 210 g/m2 sur des tubes d’aluminium de 50 mm. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 6000 N m2 : des bords d’attaque souples cèdent au-delà de la transversale, la voile se gonfle, et il descend plus vite.</translation>
+        <translation>Le deltaplane de ce qui s’achète : Dacron de 210 g/m2 sur des tubes d’aluminium de 50 mm. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 6000 N m2 : des bords d’attaque souples cèdent au-delà de la transversale, la voile se gonfle, et il descend plus vite.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14742,7 +14772,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>The paper's network of rods that never stretch. Up dives, Down slows, Left and Right roll: the keys shift the pilot's weight inside the control rods. The pilot hangs where the wing trims at the wanted speed, and the flight starts in that trim.</source>
-        <translation>Le réseau de l’article, de tiges qui ne s’étirent jamais. Haut pique, Bas ralentit, Gauche et Droite inclinent : les touches déportent le poids du pilote à l’intérieur des tiges de commande. Le pilote pend là où l’aile s’équilibre à la vitesse voulue, et le vol commence dans cet équilibre.</translation>
+        <translation>Le réseau de l’article, de tiges qui ne s’étirent jamais. Haut pique, Bas ralentit, Gauche et Droite inclinent : les touches déportent le poids du pilote à l’intérieur des tiges de commande. Le pilote pend là où l’aile s’équilibre à la vitesse voulue, et le vol commence dans cet équilibre.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14796,8 +14826,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Through all in a line, on to the first again, or every one with every other.</source>
-        <translation>Par toutes en ligne, puis de retour à la première, ou chacune avec chacune.</translation>
+        <source>Through all in a line, on to the first again, every one with every other, or all to the one that is no corner of a panel: bridle lines to a tow point.</source>
+        <translation>À travers toutes en ligne, en revenant à la première, chacune avec chaque autre, ou toutes à celle qui n’est sommet d’aucun panneau : des lignes de bride à un point d’attache.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14822,12 +14852,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Time in which links and elastic panels take over a stiffness, damping, rest length or tear limit that is edited in flight, and longer where that would throw what they hold; 0 takes it over at once.</source>
-        <translation>Temps que mettent les liaisons et les panneaux élastiques à prendre une raideur, un amortissement, une longueur au repos ou une limite de déchirure modifiés en vol, et plus long là où cela projetterait ce qu’ils tiennent ; 0 les prend aussitôt.</translation>
+        <translation>Temps que mettent les liaisons et les panneaux élastiques à prendre une raideur, un amortissement, une longueur au repos ou une limite de déchirure modifiés en vol, et plus long là où cela projetterait ce qu’ils tiennent ; 0 les prend aussitôt.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Time steps for each second of the clock, lately: only while it runs in the window, and nothing in files.</source>
-        <translation>Pas de temps par seconde d'horloge, dernièrement : seulement pendant la simulation dans la fenêtre, et rien dans les fichiers.</translation>
+        <translation>Pas de temps par seconde d'horloge, dernièrement : seulement pendant la simulation dans la fenêtre, et rien dans les fichiers.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14877,7 +14907,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Tubes in the leading edges and, below real cloth, in the keel; ideal ones never stretch, real ones bend.</source>
-        <translation>Tubes des bords d’attaque et, sous une vraie toile, de la quille ; les idéaux ne s’étirent jamais, les vrais fléchissent.</translation>
+        <translation>Tubes des bords d’attaque et, sous une vraie toile, de la quille ; les idéaux ne s’étirent jamais, les vrais fléchissent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14901,6 +14931,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Twenty rods that only pull, let go at 60 degrees. Tune the viscosity of the settings, 0 to 2 /s, and watch how long it swings.</source>
+        <translation>Vingt barres qui ne font que tirer, lâchées à 60 degrés. Réglez la viscosité des paramètres, 0 à 2 /s, et regardez combien de temps la corde se balance.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Two corners</source>
         <translation>Deux coins</translation>
     </message>
@@ -14912,12 +14947,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Upper end of the axis of values, in the unit of the curves; empty fits what is in sight.</source>
-        <translation>Haut de l'axe des valeurs, dans l'unité des courbes ; vide, il s'ajuste à ce qui est visible.</translation>
+        <translation>Haut de l'axe des valeurs, dans l'unité des courbes ; vide, il s'ajuste à ce qui est visible.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Values stand on a logarithmic axis; those at or below 0 are left out.</source>
-        <translation>Les valeurs sont sur un axe logarithmique ; celles à 0 ou en dessous sont omises.</translation>
+        <translation>Les valeurs sont sur un axe logarithmique ; celles à 0 ou en dessous sont omises.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15042,7 +15077,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What carries the pull of the fabric: threads are links, panels are elastic triangles with warp, weft and shear, which wrinkle instead of pushing and give the same answer on every mesh; links that are there carry as well.</source>
-        <translation>Ce qui porte la traction du tissu : les fils sont des liaisons, les panneaux des triangles élastiques avec chaîne, trame et cisaillement, qui plissent au lieu de pousser et donnent la même réponse sur tout maillage ; les liaisons présentes portent aussi.</translation>
+        <translation>Ce qui porte la traction du tissu : les fils sont des liaisons, les panneaux des triangles élastiques avec chaîne, trame et cisaillement, qui plissent au lieu de pousser et donnent la même réponse sur tout maillage ; les liaisons présentes portent aussi.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15067,7 +15102,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What impacts and friction have taken; what moves may bring some.</source>
-        <translation>Ce que les chocs et le frottement ont pris ; ce qui bouge peut en apporter.</translation>
+        <translation>Ce que les chocs et le frottement ont pris ; ce qui bouge peut en apporter.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15082,12 +15117,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What is sewn along the edges of square and arms of real cloth; a hem is the cloth itself, turned in twice over 1 cm.</source>
-        <translation>Ce qui est cousu le long des bords du carré et des bras d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
+        <translation>Ce qui est cousu le long des bords du carré et des bras d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>What is sewn into the skirt and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.</source>
-        <translation>Ce qui est cousu dans la jupe et sur les coutures entre les fuseaux d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
+        <translation>Ce qui est cousu dans la jupe et sur les coutures entre les fuseaux d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15117,7 +15152,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What the curves are drawn against: time, what another probe reads, or frequency, as spectra.</source>
-        <translation>Ce selon quoi les courbes sont tracées : le temps, ce que lit une autre sonde, ou la fréquence, en spectres.</translation>
+        <translation>Ce selon quoi les courbes sont tracées : le temps, ce que lit une autre sonde, ou la fréquence, en spectres.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15127,12 +15162,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What the line is made of; an ideal one never stretches.</source>
-        <translation>Matière de la ligne ; idéale, elle ne s’étire jamais.</translation>
+        <translation>Matière de la ligne ; idéale, elle ne s’étire jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>What the lines are made of; ideal ones never stretch.</source>
-        <translation>En quoi sont les lignes ; des lignes idéales ne s’allongent jamais.</translation>
+        <translation>En quoi sont les lignes ; des lignes idéales ne s’allongent jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15147,17 +15182,17 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What the rope is made of; an ideal one is as stiff and heavy as said below.</source>
-        <translation>Cordage ; un cordage idéal est aussi raide et lourd qu’indiqué plus bas.</translation>
+        <translation>Cordage ; un cordage idéal est aussi raide et lourd qu’indiqué plus bas.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>What the sheet is made of; ideal cloth is as stiff and heavy as said below, a real one is carried by panels and wrinkles.</source>
-        <translation>Tissu de la nappe ; un tissu idéal est aussi raide et lourd qu’indiqué plus bas, un vrai est porté par des panneaux et fait des plis.</translation>
+        <translation>Tissu de la nappe ; un tissu idéal est aussi raide et lourd qu’indiqué plus bas, un vrai est porté par des panneaux et fait des plis.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>What the suspension lines are made of; ideal ones never stretch.</source>
-        <translation>Matière des suspentes ; les idéales ne s’étirent jamais.</translation>
+        <translation>Matière des suspentes ; les idéales ne s’étirent jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15847,12 +15882,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tear_check.cpp"/>
         <source>Spars of %1 do not snap: %2 has a breaking moment and no flexural rigidity, so that nothing resists bending. Type it.</source>
-        <translation>Les longerons de %1 ne cassent pas : %2 a un moment de rupture et pas de rigidité en flexion, si bien que rien ne résiste à la flexion. Saisissez-la.</translation>
+        <translation>Les longerons de %1 ne cassent pas : %2 a un moment de rupture et pas de rigidité en flexion, si bien que rien ne résiste à la flexion. Saisissez-la.</translation>
     </message>
     <message>
         <location filename="tear_check.cpp"/>
         <source>Spars of %1 do not snap: %2 tears by strength and has no breaking moment. Type it, or choose another rule.</source>
-        <translation>Les longerons de %1 ne cassent pas : %2 cède par résistance et n’a pas de moment de rupture. Saisissez-le, ou choisissez une autre règle.</translation>
+        <translation>Les longerons de %1 ne cassent pas : %2 cède par résistance et n’a pas de moment de rupture. Saisissez-le, ou choisissez une autre règle.</translation>
     </message>
     <message>
         <location filename="tear_check.cpp"/>
@@ -15982,12 +16017,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with the membrane stiffness of %2, %3, whichever way they run; its weft stiffness of %4 is not used. Have panels carry the pull, which know warp and weft.</source>
-        <translation>Les fils de %1 tirent avec la raideur de membrane de %2, %3, quel que soit leur sens ; sa raideur de trame de %4 n’est pas utilisée. Faites porter la traction par les panneaux, qui connaissent chaîne et trame.</translation>
+        <translation>Les fils de %1 tirent avec la raideur de membrane de %2, %3, quel que soit leur sens ; sa raideur de trame de %4 n’est pas utilisée. Faites porter la traction par les panneaux, qui connaissent chaîne et trame.</translation>
     </message>
     <message>
         <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with up to %2 along cells that are %3 times as long as wide, instead of the membrane stiffness of %4, %5: their diagonals alone are stiffer. Make the cells squarer, or have panels carry the pull.</source>
-        <translation>Les fils de %1 tirent jusqu’à %2 le long de mailles %3 fois plus longues que larges, au lieu de la raideur de membrane de %4, %5 : leurs diagonales seules sont plus raides. Rendez les mailles plus carrées, ou faites porter la traction par les panneaux.</translation>
+        <translation>Les fils de %1 tirent jusqu’à %2 le long de mailles %3 fois plus longues que larges, au lieu de la raideur de membrane de %4, %5 : leurs diagonales seules sont plus raides. Rendez les mailles plus carrées, ou faites porter la traction par les panneaux.</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -16102,7 +16137,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="timeline.cpp"/>
         <source>Name of the bookmark:</source>
-        <translation>Nom du repère :</translation>
+        <translation>Nom du repère :</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -16342,7 +16377,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="timeline_strip.cpp"/>
         <source>Drag to look back. Left and right: a frame, with Shift ten. Page up and down: events. Wheel: zoom.</source>
-        <translation>Glisser pour regarder en arrière. Gauche et droite : une image, avec Maj dix. Page préc. et suiv. : événements. Molette : zoom.</translation>
+        <translation>Glisser pour regarder en arrière. Gauche et droite : une image, avec Maj dix. Page préc. et suiv. : événements. Molette : zoom.</translation>
     </message>
     <message>
         <location filename="timeline_strip.cpp"/>
@@ -16427,7 +16462,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="totals.cpp"/>
         <source>Change it with Insert &gt; Change parameters.</source>
-        <translation>Pour le changer : Insertion &gt; Changer les paramètres.</translation>
+        <translation>Pour le changer : Insertion &gt; Changer les paramètres.</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>
@@ -16658,7 +16693,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="transport.cpp"/>
         <source>Error of the pulls in links in the last step, against what their stiffness says: %1 %, wanted %2 %. Largest strain of rods that never stretch: %3 %, wanted %4 %.</source>
-        <translation>Erreur des tractions dans les liaisons au dernier pas, par rapport à ce que dit leur raideur : %1 %, voulu %2 %. Plus grande déformation des tiges qui ne s’étirent jamais : %3 %, voulu %4 %.</translation>
+        <translation>Erreur des tractions dans les liaisons au dernier pas, par rapport à ce que dit leur raideur : %1 %, voulu %2 %. Plus grande déformation des tiges qui ne s’étirent jamais : %3 %, voulu %4 %.</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>
@@ -16754,6 +16789,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="transport.cpp"/>
         <source>Stopped</source>
         <translation>Arrêté</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Swings of up to %1 Hz are told within 1 % at this step; faster ones come out with another frequency, or die away. A shorter time step tells them.</source>
+        <translation>Les oscillations jusqu’à %1 Hz sont rendues à 1 % près avec ce pas ; les plus rapides prennent une autre fréquence, ou s’éteignent. Un pas de temps plus court les rend.</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>
@@ -17011,7 +17051,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="typed_parameters.cpp"/>
         <source>"%1" sets nothing; write KEY=VALUE, like span=2.4.</source>
-        <translation>« %1 » ne règle rien ; écrire CLÉ=VALEUR, comme span=2.4.</translation>
+        <translation>« %1 » ne règle rien ; écrire CLÉ=VALEUR, comme span=2.4.</translation>
     </message>
     <message>
         <location filename="typed_parameters.cpp"/>
@@ -17021,22 +17061,37 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="typed_parameters.cpp"/>
         <source>%1 must be a number, not "%2".</source>
-        <translation>%1 doit être un nombre, et non « %2 ».</translation>
+        <translation>%1 doit être un nombre, et non « %2 ».</translation>
     </message>
     <message>
         <location filename="typed_parameters.cpp"/>
         <source>%1 must be one of %2, not "%3".</source>
-        <translation>%1 doit être l’un de %2, et non « %3 ».</translation>
+        <translation>%1 doit être l’un de %2, et non « %3 ».</translation>
     </message>
     <message>
         <location filename="typed_parameters.cpp"/>
         <source>%1: cannot read the file %2.</source>
-        <translation>%1 : le fichier %2 ne peut pas être lu.</translation>
+        <translation>%1 : le fichier %2 ne peut pas être lu.</translation>
     </message>
     <message>
-        <location filename="unknown_items.cpp"/>
+        <location filename="unknown.cpp"/>
+        <source>%1 and others, %2 in all</source>
+        <translation>%1 et d’autres, %2 en tout</translation>
+    </message>
+    <message>
+        <location filename="unknown.cpp"/>
+        <source>%1: this version does not know the key "%2"; it is kept as it is and does nothing.</source>
+        <translation>%1 : cette version ne connaît pas la clé « %2 » ; elle est gardée telle quelle et ne fait rien.</translation>
+    </message>
+    <message>
+        <location filename="unknown.cpp"/>
+        <source>%1: this version does not know the key "%2"; it is kept as it is and does nothing. Did you mean "%3"?</source>
+        <translation>%1 : cette version ne connaît pas la clé « %2 » ; elle est gardée telle quelle et ne fait rien. Vouliez-vous dire « %3 » ?</translation>
+    </message>
+    <message>
+        <location filename="unknown.cpp"/>
         <source>Item %1 is of the type %2, which this version does not know; it is kept as it is and does nothing.</source>
-        <translation>Élément %1 : sa sorte, %2, est inconnue de cette version ; il est gardé et ne fait rien.</translation>
+        <translation>Élément %1 : sa sorte, %2, est inconnue de cette version ; il est gardé et ne fait rien.</translation>
     </message>
     <message>
         <location filename="value.cpp"/>
@@ -17464,7 +17519,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="view_rows.cpp"/>
         <source>Draw the ways that the selected particles have come in the last five seconds; of those that probes look at when none is selected.</source>
-        <translation>Tracer le chemin des particules sélectionnées pendant les cinq dernières secondes ; sans sélection, de celles que regardent les sondes.</translation>
+        <translation>Tracer le chemin des particules sélectionnées pendant les cinq dernières secondes ; sans sélection, de celles que regardent les sondes.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -17529,17 +17584,17 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="view_rows.cpp"/>
         <source>How hard the fabric pulls per width: the largest tension of elastic panels, that of threads over the width that they stand for.</source>
-        <translation>Traction du tissu par largeur : la plus grande tension des panneaux élastiques, celle des fils sur la largeur qu’ils représentent.</translation>
+        <translation>Traction du tissu par largeur : la plus grande tension des panneaux élastiques, celle des fils sur la largeur qu’ils représentent.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
         <source>How many times as stiff elements are as their materials: reinforced and worn places.</source>
-        <translation>Combien de fois les éléments sont plus raides que leurs matériaux : endroits renforcés ou usés.</translation>
+        <translation>Combien de fois les éléments sont plus raides que leurs matériaux : endroits renforcés ou usés.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
         <source>How many times as strong elements are as their materials: reinforced and worn places.</source>
-        <translation>Combien de fois les éléments sont plus résistants que leurs matériaux : endroits renforcés ou usés.</translation>
+        <translation>Combien de fois les éléments sont plus résistants que leurs matériaux : endroits renforcés ou usés.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -17549,12 +17604,12 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="view_rows.cpp"/>
         <source>Let short streaks drift with the wind, gusts included; they stand while the run is held.</source>
-        <translation>Laisser de courtes traînées dériver avec le vent, rafales comprises ; elles s’arrêtent avec la simulation.</translation>
+        <translation>Laisser de courtes traînées dériver avec le vent, rafales comprises ; elles s’arrêtent avec la simulation.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
         <source>Load over strength of lines, cloth and spars: 1 breaks.</source>
-        <translation>Charge sur résistance des lignes, toiles et longerons : rupture à 1.</translation>
+        <translation>Charge sur résistance des lignes, toiles et longerons : rupture à 1.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -17604,7 +17659,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="view_rows.cpp"/>
         <source>Nothing moves in the view but what is simulated: no streaks drift with the wind.</source>
-        <translation>Rien ne bouge dans la vue que ce qui est simulé : aucune traînée ne dérive avec le vent.</translation>
+        <translation>Rien ne bouge dans la vue que ce qui est simulé : aucune traînée ne dérive avec le vent.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -17724,7 +17779,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="view_rows.cpp"/>
         <source>The shape as it was designed, beside what has become of it; where nothing is pinned it goes along.</source>
-        <translation>La forme telle qu'elle a été dessinée, à côté de ce qu'elle est devenue ; là où rien n'est épinglé, elle suit le mouvement.</translation>
+        <translation>La forme telle qu'elle a été dessinée, à côté de ce qu'elle est devenue ; là où rien n'est épinglé, elle suit le mouvement.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -17844,7 +17899,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="window_tour.cpp"/>
         <source>New from builder begins with a whole kite, glider or parachute; Import makes fabric of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 opens the manual where it tells of what is under the mouse.</source>
-        <translation>Nouveau à partir d’un constructeur commence par un cerf-volant, une aile ou un parachute entier ; Importer fait du tissu d’un maillage ; Exporter sert à Blender et ParaView. F3 trouve toute action, F1 ouvre le manuel là où il parle de ce qui est sous la souris.</translation>
+        <translation>Nouveau à partir d’un constructeur commence par un cerf-volant, une aile ou un parachute entier ; Importer fait du tissu d’un maillage ; Exporter sert à Blender et ParaView. F3 trouve toute action, F1 ouvre le manuel là où il parle de ce qui est sous la souris.</translation>
     </message>
     <message>
         <location filename="window_tour.cpp"/>
@@ -18115,7 +18170,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="zip_file.cpp"/>
         <source>%1 was not unpacked: there is far more in it than its size allows for; get it from whom you trust, and unpack it by hand.</source>
-        <translation>%1 n’a pas été décompressé : il contient bien plus que sa taille ne le laisse attendre ; l’obtenir d’une source de confiance, et le décompresser à la main.</translation>
+        <translation>%1 n’a pas été décompressé : il contient bien plus que sa taille ne le laisse attendre ; l’obtenir d’une source de confiance, et le décompresser à la main.</translation>
     </message>
     <message>
         <location filename="zip_file.cpp"/>

@@ -212,6 +212,23 @@ private slots:
     }
 
     // What the list of problems warns of in the window is said before a flight as well.
+    // 100 kg on a cord that bears 405 N at its knots: it breaks, or nothing says that it does.
+    void warnsOfWhatHoldsTooMuch()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.ripstop.json");
+        QCOMPARE(call({"build", "rope", "cord=liros_ltc45", "end_mass=100", "angle=0", "-o", path})
+                     .exitCode,
+                 0);
+        const auto said = [&](const char* rule) {
+            return call({"run", path, "--seconds", "0.5", "--set",
+                         QStringLiteral("cord.tearRule=%1").arg(rule)})
+                .error;
+        };
+        QVERIFY2(said("never").contains("times its strength"), qPrintable(said("never")));
+        QVERIFY(!said("strength").contains("times its strength"));
+    }
+
     void warnsBeforeFlying()
     {
         const QTemporaryDir folder;
