@@ -1,7 +1,7 @@
-// Points are sorted along the longest side of the mesh, so that each side of a face looks at those
-// beside it only: sides on a rim at all points, others at points on a rim, since what lies on
-// neither touches nothing open. What is found is kept by side; then each face takes it over, in the
-// order in which it goes along the side.
+// Points are sorted along each axis, and each side of a face looks at those beside it along the
+// axis on which they are fewest: sides on a rim at all points, others at points on a rim, since
+// what lies on neither touches nothing open. What is found is kept by side; then each face takes it
+// over, in the order in which it goes along the side.
 #include "author/mesh_hanging.h"
 
 #include "author/mesh_winding.h"
@@ -23,32 +23,42 @@ struct Hanging
     int point;
 };
 
-// Points in ascending order along one axis.
+// Points in ascending order along each axis.
 class SortedPoints
 {
 public:
-    SortedPoints(const std::vector<Vec3>& points, std::vector<int> which, int axis)
+    SortedPoints(const std::vector<Vec3>& points, const std::vector<int>& which)
         : m_points(points)
-        , m_order(std::move(which))
-        , m_axis(axis)
     {
-        std::ranges::stable_sort(m_order, {}, [this](int point) { return along(point); });
+        for (int axis = 0; axis < 3; ++axis) {
+            m_order[std::size_t(axis)] = which;
+            std::ranges::stable_sort(m_order[std::size_t(axis)], {}, along(axis));
+        }
     }
 
-    std::span<const int> between(double low, double high) const
+    // Those that lie between two corners of a box as one axis sees it, and more.
+    std::span<const int> near(const Vec3& low, const Vec3& high) const
     {
-        const auto place = [this](int point) { return along(point); };
-        const auto first = std::ranges::lower_bound(m_order, low, {}, place);
-        const auto last = std::ranges::upper_bound(first, m_order.end(), high, {}, place);
-        return {first, last};
+        std::span<const int> fewest = m_order[0];
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::vector<int>& order = m_order[std::size_t(axis)];
+            const auto first = std::ranges::lower_bound(order, low[axis], {}, along(axis));
+            const auto last =
+                std::ranges::upper_bound(first, order.end(), high[axis], {}, along(axis));
+            if (std::size_t(last - first) < fewest.size())
+                fewest = {first, last};
+        }
+        return fewest;
     }
 
 private:
-    double along(int point) const { return m_points[std::size_t(point)][m_axis]; }
+    auto along(int axis) const
+    {
+        return [this, axis](int point) { return m_points[std::size_t(point)][axis]; };
+    }
 
     const std::vector<Vec3>& m_points;
-    std::vector<int> m_order;
-    int m_axis;
+    std::array<std::vector<int>, 3> m_order;
 };
 
 class HangingPoints
@@ -64,17 +74,13 @@ public:
             if (edge.faceCount == 1)
                 isOnRim[std::size_t(edge.a)] = isOnRim[std::size_t(edge.b)] = 1;
         std::vector<int> all, rim;
-        Vec3 low = mesh.points.front(), high = low;
         for (int i = 0; i < int(mesh.points.size()); ++i) {
-            low = low.cwiseMin(mesh.points[std::size_t(i)]);
-            high = high.cwiseMax(mesh.points[std::size_t(i)]);
             all.push_back(i);
             if (isOnRim[std::size_t(i)])
                 rim.push_back(i);
         }
-        (high - low).maxCoeff(&m_axis);
-        const SortedPoints everywhere(mesh.points, std::move(all), m_axis);
-        const SortedPoints onRim(mesh.points, std::move(rim), m_axis);
+        const SortedPoints everywhere(mesh.points, all);
+        const SortedPoints onRim(mesh.points, rim);
         for (const MeshEdge& edge : edges)
             find(edge, edge.faceCount == 1 ? everywhere : onRim);
     }
@@ -108,8 +114,8 @@ private:
         if (!(length > 2.0 * m_tolerance))
             return;
         std::vector<Hanging> found;
-        for (const int point : points.between(std::min(a[m_axis], b[m_axis]) - m_tolerance,
-                                              std::max(a[m_axis], b[m_axis]) + m_tolerance)) {
+        const Vec3 reach = Vec3::Constant(m_tolerance);
+        for (const int point : points.near(a.cwiseMin(b) - reach, a.cwiseMax(b) + reach)) {
             const Vec3 from = m_mesh.points[std::size_t(point)] - a;
             const double along = from.dot(side) / length;
             if (point != edge.a && point != edge.b && along > m_tolerance
@@ -124,7 +130,6 @@ private:
 
     const PolygonMesh& m_mesh;
     double m_tolerance; // m
-    int m_axis = 0;     // that points are sorted along
     std::unordered_map<std::uint64_t, std::vector<Hanging>> m_bySide;
 };
 
