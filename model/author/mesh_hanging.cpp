@@ -23,6 +23,13 @@ struct Hanging
     int point;
 };
 
+struct Along // an axis, m
+{
+    const std::vector<Vec3>& points;
+    int axis;
+    double operator()(int point) const { return points[std::size_t(point)][axis]; }
+};
+
 // Points in ascending order along each axis.
 class SortedPoints
 {
@@ -32,7 +39,7 @@ public:
     {
         for (int axis = 0; axis < 3; ++axis) {
             m_order[std::size_t(axis)] = which;
-            std::ranges::stable_sort(m_order[std::size_t(axis)], {}, along(axis));
+            std::ranges::stable_sort(m_order[std::size_t(axis)], {}, Along{points, axis});
         }
     }
 
@@ -42,21 +49,16 @@ public:
         std::span<const int> fewest = m_order[0];
         for (int axis = 0; axis < 3; ++axis) {
             const std::vector<int>& order = m_order[std::size_t(axis)];
-            const auto first = std::ranges::lower_bound(order, low[axis], {}, along(axis));
-            const auto last =
-                std::ranges::upper_bound(first, order.end(), high[axis], {}, along(axis));
+            const Along along{m_points, axis};
+            const auto first = std::ranges::lower_bound(order, low[axis], {}, along);
+            const auto last = std::ranges::upper_bound(first, order.end(), high[axis], {}, along);
             if (std::size_t(last - first) < fewest.size())
-                fewest = {first, last};
+                fewest = std::span<const int>(first, last);
         }
         return fewest;
     }
 
 private:
-    auto along(int axis) const
-    {
-        return [this, axis](int point) { return m_points[std::size_t(point)][axis]; };
-    }
-
     const std::vector<Vec3>& m_points;
     std::array<std::vector<int>, 3> m_order;
 };

@@ -1,7 +1,8 @@
 // Splits polygons: a triangle stays, a convex quad is cut along its shorter diagonal, and any
-// other polygon is seen along its area vector and loses one ear after the other. A polygon that
-// rounding or a crossing leaves without an ear loses its widest corner, so that the loop always
-// ends.
+// other polygon is seen along its area vector and loses one ear after the other. An ear is no
+// sliver, as the corner of a side that another point lies on would be, where there is another one.
+// A polygon that rounding or a crossing leaves without an ear loses its widest corner, so that the
+// loop always ends.
 // The joining of points, which the header has too, stands in weld.cpp.
 #include "shapes/polygon_split.h"
 
@@ -36,13 +37,19 @@ public:
         return ab.x() * ac.y() - ab.y() * ac.x();
     }
 
-    bool isInside(int p, int a, int b, int c) const
+    // Whether it lies within the triangle, or beside it by less than `margin` (as an area).
+    bool isInside(int p, int a, int b, int c, double margin) const
     {
-        return at(p) != at(a) && at(p) != at(b) && at(p) != at(c) && turn(a, b, p) >= 0.0
-               && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+        return at(p) != at(a) && at(p) != at(b) && at(p) != at(c) && turn(a, b, p) >= -margin
+               && turn(b, c, p) >= -margin && turn(c, a, p) >= -margin;
     }
 
+    // Twice the area of what is still a triangle and no sliver.
+    double sliver() const { return sliverOfArea * m_normal.norm(); }
+
 private:
+    static constexpr double sliverOfArea = 1e-3;
+
     const Eigen::Vector2d& at(int i) const { return m_flat[std::size_t(i)]; }
 
     Vec3 m_normal;
@@ -56,24 +63,25 @@ std::size_t earOf(const std::vector<int>& ring, const FlatPolygon& polygon)
     const std::size_t n = ring.size();
     std::size_t widest = 0;
     double most = -1e300;
-    for (std::size_t i = 0; i < n; ++i) {
-        const int a = ring[(i + n - 1) % n];
-        const int b = ring[i];
-        const int c = ring[(i + 1) % n];
-        const double turn = polygon.turn(a, b, c);
-        if (turn > most) {
-            most = turn;
-            widest = i;
+    for (const double margin : {polygon.sliver(), 0.0})
+        for (std::size_t i = 0; i < n; ++i) {
+            const int a = ring[(i + n - 1) % n];
+            const int b = ring[i];
+            const int c = ring[(i + 1) % n];
+            const double turn = polygon.turn(a, b, c);
+            if (turn > most) {
+                most = turn;
+                widest = i;
+            }
+            if (turn <= margin)
+                continue;
+            bool isEar = true;
+            for (std::size_t k = 0; k < n && isEar; ++k)
+                isEar = ring[k] == a || ring[k] == b || ring[k] == c
+                        || !polygon.isInside(ring[k], a, b, c, margin);
+            if (isEar)
+                return i;
         }
-        if (turn <= 0.0)
-            continue;
-        bool isEar = true;
-        for (std::size_t k = 0; k < n && isEar; ++k)
-            isEar =
-                ring[k] == a || ring[k] == b || ring[k] == c || !polygon.isInside(ring[k], a, b, c);
-        if (isEar)
-            return i;
-    }
     return widest;
 }
 
@@ -94,8 +102,9 @@ bool isConvexQuad(std::span<const int> corners, const std::vector<Vec3>& points)
     if (corners.size() != 4)
         return false;
     const FlatPolygon polygon(corners, points);
-    return polygon.turn(0, 1, 2) > 0.0 && polygon.turn(1, 2, 3) > 0.0 && polygon.turn(2, 3, 0) > 0.0
-           && polygon.turn(3, 0, 1) > 0.0;
+    const double least = polygon.sliver();
+    return polygon.turn(0, 1, 2) > least && polygon.turn(1, 2, 3) > least
+           && polygon.turn(2, 3, 0) > least && polygon.turn(3, 0, 1) > least;
 }
 
 void splitPolygon(std::span<const int> corners, const std::vector<Vec3>& points,

@@ -16,14 +16,16 @@ namespace ripstop {
 std::vector<int> welded(const std::vector<Vec3>& points, double tolerance);
 
 // Splits one polygon into triangles, point indices: a convex quad along its shorter diagonal,
-// others by cutting ears (Meisters 1975), so that hollow ones keep their area.
+// others by cutting ears (Meisters 1975), so that hollow ones keep their area, and points on their
+// sides make no slivers.
 void splitPolygon(std::span<const int> corners, const std::vector<Vec3>& points,
                   std::vector<std::array<int, 3>>& triangles);
 
 // Twice the area vector of a polygon (Newell), in the square of the unit of the points.
 Vec3 doubleArea(std::span<const int> corners, const std::vector<Vec3>& points);
 
-// Whether a quad has no hollow or straight corner, seen along its area vector.
+// Whether a quad has no hollow or straight corner, nor one that is straight but for a thousandth of
+// its area, seen along its area vector.
 bool isConvexQuad(std::span<const int> corners, const std::vector<Vec3>& points);
 
 } // namespace ripstop

@@ -86,6 +86,34 @@ private slots:
                 || MeshFault(fault) == MeshFault::StrayElements || !found->places.empty());
     }
 
+    // However rounding has it, what hangs on a side makes no sliver: a coarse square beside two
+    // fine ones, in any position, and a triangle whose side is longer than it is high.
+    void hangingPointsMakeNoSlivers()
+    {
+        const char* const meshes[]{"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0.3 0\nv 2 0 0\n"
+                                   "v 2 0.3 0\nv 2 1 0\nf 1 2 3 4\nf 2 6 7 5\nf 5 7 8 3\n",
+                                   "v 0 0 0\nv 3 0 0\nv 1.4 1 0\nv 1.1 0 0\nv 0 -1 0\nv 3 -1 0\n"
+                                   "f 1 2 3\nf 1 5 4\nf 4 5 6 2\n"};
+        for (const char* const text : meshes)
+            for (int i = 0; i < 200; ++i) {
+                PolygonMesh mesh = meshOf(text);
+                const Eigen::AngleAxisd turn(0.1 * i, Vec3(1.0, 0.3 * i, 2.0).normalized());
+                for (Vec3& point : mesh.points)
+                    point = turn * point + Vec3(0.01 * i, 0.0, 1.0);
+                mesh.points[4].z() += 1e-6 * std::sin(double(i)); // within the weld tolerance
+                const PreparedMesh ready = preparedOf(mesh);
+                QCOMPARE(ready.report.count(MeshFault::HangingVertices), 1u);
+                const RepairedMesh& surface = ready.surfaces.front();
+                for (const auto& [a, b, c] : surface.triangles) {
+                    const auto& at = surface.mesh.points;
+                    const Vec3& from = at[std::size_t(a)];
+                    const double area =
+                        0.5 * (at[std::size_t(b)] - from).cross(at[std::size_t(c)] - from).norm();
+                    QVERIFY2(area > 0.1, qPrintable(QString::number(area)));
+                }
+            }
+    }
+
     void closedPiecesPointOutwards()
     {
         const PreparedMesh mesh = preparedOf(fileOf("inside.stl", cubeAsStl(true)));
