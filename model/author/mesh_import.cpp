@@ -331,8 +331,9 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
                             const std::string& name, const Surroundings& surroundings,
                             const Progress& progress)
 {
-    const std::optional<double> density =
-        fabric.material.arealDensity ? fabric.material.arealDensity : fabric.density;
+    const std::optional<double> density = fabric.material.arealDensity.value_or(0.0) > 0.0
+                                              ? fabric.material.arealDensity
+                                              : fabric.density;
     if (!density || !(*density > 0.0) || !std::isfinite(*density))
         return Failure("The material %1 has no mass per area; give one above 0 kg/m^2, or choose a "
                        "preset.",

@@ -261,8 +261,8 @@ Braced withBraces(const Scene& scene, const Rigidity& rigidity, const std::vecto
 {
     Drawing drawing(scene);
     const Id there = linkMaterialAt(scene, rigidity.particles);
-    const LinkStroke stroke{there == noId ? drawing.materialNamed("braces") : there, LinkKind::Rod,
-                            Resists::Both};
+    const LinkStroke stroke{there == noId ? drawing.material(plainCord("braces")) : there,
+                            LinkKind::Rod, Resists::Both};
     for (const Brace& brace : braces)
         drawing.link(rigidity.particles[std::size_t(brace.from)],
                      rigidity.particles[std::size_t(brace.to)], stroke);

@@ -113,7 +113,8 @@ Result<Shaped> link(const Scene& scene, const std::vector<Id>& ids, const Parame
             mostEachWithEach);
     Drawing drawing(scene);
     LinkStroke stroke = strokeOf(whole(values, "kind"));
-    stroke.material = materialOr(linkMaterialAt(scene, particles), values, drawing, named("cord"));
+    stroke.material =
+        materialOr(linkMaterialAt(scene, particles), values, drawing, plainCord("cord"));
     if (way == 2)
         for (std::size_t a = 0; a < particles.size(); ++a)
             for (std::size_t b = a + 1; b < particles.size(); ++b)
@@ -213,7 +214,7 @@ Result<Shaped> fill(const Scene& scene, const std::vector<Id>& ids, const Parame
     const std::vector<Id> ring = inRing(scene, particles);
     Drawing drawing(scene);
     const Id fabric =
-        materialOr(panelMaterialAt(scene, particles), values, drawing, named("cloth"));
+        materialOr(panelMaterialAt(scene, particles), values, drawing, plainCloth("cloth"));
     std::vector<Vec3> points;
     std::vector<int> corners;
     for (const Id id : ring) {

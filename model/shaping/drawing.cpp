@@ -171,11 +171,20 @@ Id Drawing::material(Material material)
     return id;
 }
 
-Id Drawing::materialNamed(std::string name)
+Material plainCord(std::string name)
 {
     Material plain;
     plain.name = std::move(name);
-    return material(std::move(plain));
+    plain.linearDensity = 0.0;
+    return plain;
+}
+
+Material plainCloth(std::string name)
+{
+    Material plain;
+    plain.name = std::move(name);
+    plain.arealDensity = 0.0;
+    return plain;
 }
 
 Id Drawing::part(const std::string& name)

@@ -20,14 +20,18 @@ struct LinkStroke
     Resists resists = Resists::Both;
 };
 
+// Of known density: none, as no particle is given a mass for what is drawn of them. Who says later
+// what it weighs has it weighed (scene/weigh.h).
+Material plainCord(std::string name);
+Material plainCloth(std::string name);
+
 class Drawing
 {
 public:
     explicit Drawing(const Scene& scene); // has to outlive this
 
     Id material(Material material);
-    Id materialNamed(std::string name); // a plain one
-    Id part(const std::string& name);   // an empty one
+    Id part(const std::string& name); // an empty one
     Id group(const std::string& name, std::vector<Id> members);
 
     Id particle(Id part, const Vec3& position, double mass = 0.0); // m, kg

@@ -6,6 +6,7 @@
 // fewest braces that make them rigid; and at last the glider of the paper, and refusals.
 #include "author/rigidity.h"
 #include "builders/builder.h"
+#include "materials/presets.h"
 #include "registered_test.h"
 #include "shaping/drawing.h"
 #include "shaping/operation.h"
@@ -149,6 +150,27 @@ private slots:
         // a sail alone has no such particle
         QVERIFY(!operation->apply(sheet.scene, {sheet.nodes[0], sheet.nodes[1], sheet.nodes[2]},
                                   values));
+    }
+
+    // A drawn line has given nothing to anybody, and says so: what it turns out to be of is
+    // weighed.
+    void whatIsDrawnIsWeighedLater()
+    {
+        Sheet sheet({{0, 0, 0}, {3, 4, 0}});
+        const auto tied = findOperation("link")->apply(sheet.scene, sheet.nodes,
+                                                       {{"way", 0}, {"kind", 1}, {"material", 1}});
+        QVERIFY(bool(tied));
+        (void)apply(sheet.scene, tied->edit);
+        const Id cord = sheet.rows().links.at(0).material;
+        QVERIFY(cord != sheet.material);
+        const Preset& preset = **findPreset("liros_ltc80");
+        const auto given = presetEdit(sheet.scene, preset, {cord});
+        QVERIFY(bool(given) && given->notWeighed.empty());
+        (void)apply(sheet.scene, given->edit);
+        const double density = *numberAt(preset, propertyOf<&Material::linearDensity>()); // kg/m
+        QVERIFY(density > 0.0);
+        for (const Particle& particle : sheet.rows().particles)
+            QVERIFY(std::abs(particle.mass - (0.1 + 2.5 * density)) < 1e-12);
     }
 
     // Along the rim of a sail of panels, which has no links that would tell the order.

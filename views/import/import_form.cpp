@@ -243,10 +243,11 @@ void ImportForm::takeMaterial()
 {
     const Choice& choice = m_choices[std::size_t(m_material->currentData().toInt())];
     const QSignalBlocker quiet(m_density);
-    if (choice.material.arealDensity)
-        m_density->setValue(1000.0 * *choice.material.arealDensity);
+    const double told = choice.material.arealDensity.value_or(0.0);
+    if (told > 0.0)
+        m_density->setValue(1000.0 * told);
     // the density of a material of the scene is for the inspector to change
-    m_density->setEnabled(choice.existing == noId || !choice.material.arealDensity);
+    m_density->setEnabled(choice.existing == noId || told == 0.0);
     m_perMaterial->setEnabled(mayColor());
 }
 

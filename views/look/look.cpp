@@ -150,7 +150,8 @@ constexpr float ripstopGrid = 0.005F; // m
 Look::Cloth clothOf(const Scene& scene, const Part& part, const Panel& panel,
                     const Material* material)
 {
-    const double density = material ? material->arealDensity.value_or(knownDensity) : knownDensity;
+    const double told = material ? material->arealDensity.value_or(0.0) : 0.0;
+    const double density = told > 0.0 ? told : knownDensity;
     Look::Cloth cloth;
     cloth.through = float(std::min(0.94 * std::exp(-density / halving), 0.8));
     cloth.isBuilt = !part.builder.empty();
@@ -204,9 +205,8 @@ double thicknessOf(const Material& material)
         return material.diameter;
     if (material.flexuralRigidity > 0.0 && material.axialStiffness.value_or(0.0) > 0.0)
         return std::sqrt(8.0 * material.flexuralRigidity / *material.axialStiffness);
-    if (!material.linearDensity)
-        return 0.0;
-    return std::sqrt(4.0 * *material.linearDensity / (std::numbers::pi * solidDensity));
+    return std::sqrt(4.0 * material.linearDensity.value_or(0.0)
+                     / (std::numbers::pi * solidDensity));
 }
 
 Look::Form formOf(const Link& link, const Material* material)
@@ -215,7 +215,7 @@ Look::Form formOf(const Link& link, const Material* material)
         return Look::Form::Wire;
     const bool isRound = material
                          && (material->diameter > 0.0 || material->flexuralRigidity > 0.0
-                             || material->linearDensity);
+                             || material->linearDensity.value_or(0.0) > 0.0);
     return isRound ? Look::Form::Round : Look::Form::Sewn;
 }
 

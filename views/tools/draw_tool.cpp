@@ -176,8 +176,9 @@ Id DrawTool::particleFor(const Spot& spot, Drawing& drawing)
 Id DrawTool::materialFor(Drawing& drawing) const
 {
     if (!findItem<Material>(m_document.scene(), m_settings.material))
-        m_settings.material = drawing.materialNamed(
-            (m_shape == Shape::Panels ? words("cloth") : words("cord")).toStdString());
+        m_settings.material =
+            drawing.material(m_shape == Shape::Panels ? plainCloth(words("cloth").toStdString())
+                                                      : plainCord(words("cord").toStdString()));
     return m_settings.material;
 }
 
