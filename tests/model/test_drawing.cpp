@@ -167,7 +167,8 @@ private slots:
         const auto given = presetEdit(sheet.scene, preset, {cord});
         QVERIFY(bool(given) && given->notWeighed.empty());
         (void)apply(sheet.scene, given->edit);
-        const double density = *numberAt(preset, propertyOf<&Material::linearDensity>()); // kg/m
+        const double density = std::get<double>(
+            findNumber(preset, propertyOf<&Material::linearDensity>())->value); // kg/m
         QVERIFY(density > 0.0);
         for (const Particle& particle : sheet.rows().particles)
             QVERIFY(std::abs(particle.mass - (0.1 + 2.5 * density)) < 1e-12);
