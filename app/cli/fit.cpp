@@ -59,8 +59,9 @@ Result<SpecimenSize> sizeOf(const FitOptions& options)
     if (!width)
         return width.failure();
     constexpr double widest = 1.0; // m
-    if (*width > widest
-        && options.width.find_first_not_of("0123456789.,eE+- ") == std::string::npos)
+    const Result<double> inOther = quantity("--width", options.width, "cm");
+    const bool hasUnit = !inOther || *inOther != *width; // a pure number is one in any unit
+    if (*width > widest && !hasUnit)
         return Failure("--width %1 is taken for metres, and no strip is as wide as that: say the "
                        "unit, as in --width \"%1 cm\".",
                        options.width);

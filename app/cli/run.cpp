@@ -5,6 +5,8 @@
 // what was flown even when a file cannot be written (run_report.h); and run(), which refuses wrong
 // options and files that cannot be written before the first step.
 #include "bundle/bundle.h"
+#include "check/finding.h"
+#include "check/strength_gaps.h"
 #include "cli/commands.h"
 #include "cli/event_list.h"
 #include "cli/replay.h"
@@ -27,6 +29,7 @@
 #include "study/probe_names.h"
 #include "terminal/terminal.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <iostream>
@@ -165,27 +168,31 @@ double fly(Simulation& simulation, const RunOptions& options, ControlPlayer& con
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Says on the standard error what was wrong with the run.
-// What has borne more than it can and is whole only because nothing may tear it.
-void warnOfOverload(const Json& loads)
+// The worst place that has borne more than it can and is whole, as its material never tears.
+void warnOfOverload(const Scene& scene, const Frame& frame)
 {
-    if (loads.is_null() || loads["run"].empty())
-        return;
-    const Json& worst = loads["run"].front();
-    if (worst["torn"].get<bool>() || worst["margin"].get<double>() <= 1.0)
-        return;
-    const char* const kind = worst.contains("panel") ? "panel" : "link";
-    std::cerr << "ripstop-cli: warning: "
-              << Message("%1 %2 has borne %3 times its strength at %4 s and holds, as nothing says "
+    const std::vector<Id> lasting = materialsThatNeverTear(scene);
+    for (const LoadedPlace& place : frame.worstOfRun.all()) {
+        if (place.torn || place.margin() <= 1.0
+            || std::ranges::find(lasting, Id{place.material}) == lasting.end())
+            continue;
+        const Message element =
+            subjectOf(place.kind == LoadKind::Cloth ? Kind::Panel : Kind::Link, Id{place.element});
+        std::cerr << "ripstop-cli: warning: "
+                  << Message(
+                         "%1 has borne %2 times its strength at %3 s and holds, as nothing says "
                          "that its material tears: tearRule=strength has it break.",
-                         kind, worst[kind].get<std::uint32_t>(),
-                         Message::number("%.3g", worst["margin"].get<double>()),
-                         Message::number("%.3g", worst["time"].get<double>()))
-                     .english()
-              << '\n';
+                         element, Message::number("%.3g", place.margin()),
+                         Message::number("%.3g", place.time))
+                         .english()
+                  << '\n';
+        return;
+    }
 }
 
-int judge(const Simulation& simulation, const Json& result, const RunOptions& options)
+// Says on the standard error what was wrong with the run.
+int judge(const Scene& scene, const Simulation& simulation, const Json& result,
+          const RunOptions& options)
 {
     if (simulation.trouble())
         return fail(Diverged, simulation.trouble()->message);
@@ -193,8 +200,9 @@ int judge(const Simulation& simulation, const Json& result, const RunOptions& op
         fail(Absurd, one.get<std::string>());
     if (!result["absurd"].empty())
         return Absurd;
-    warnOfOverload(result["loads"]);
-    if (const Message complaint = simulation.frame()->accuracy.complaint(); !complaint.empty()) {
+    const auto frame = simulation.frame();
+    warnOfOverload(scene, *frame);
+    if (const Message complaint = frame->accuracy.complaint(); !complaint.empty()) {
         fail(Inaccurate, complaint);
         if (options.strict)
             return Inaccurate;
@@ -239,7 +247,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& o
         printProfile(result);
     for (const Failure& failure : unwritten)
         fail(BadInput, failure.message);
-    return unwritten.empty() ? judge(simulation, result, options) : BadInput;
+    return unwritten.empty() ? judge(scene, simulation, result, options) : BadInput;
 }
 
 // The goal of a settling run, if one was asked for; wrong usage is a failure that says what is

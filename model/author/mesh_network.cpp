@@ -292,7 +292,7 @@ std::vector<Vec3> warpsOf(const RepairedMesh& mesh)
         const auto face = std::size_t(mesh.faceOf[i]);
         const std::span<const int> corners = faces.face(face);
         std::array<Vec3, 3> places;
-        std::array<TexturePoint, 3> texture{};
+        std::array<PolygonMesh::TexturePoint, 3> texture{};
         for (std::size_t k = 0; k < 3; ++k) {
             const int point = mesh.triangles[i][k];
             places[k] = faces.points[std::size_t(point)];

@@ -155,11 +155,10 @@ void Network::carryByPanels(std::span<const Vec3> warps)
 
 void Network::carryByPanels(const std::function<Vec3(const Vec3&)>& warp)
 {
-    m_part.carrier = FabricKind::Panels;
-    for (Panel& panel : m_part.panels) {
-        const Vec3 a = position(panel.a), b = position(panel.b), c = position(panel.c);
-        layFlat(panel, a, b, c, warp((a + b + c) / 3.0));
-    }
+    std::vector<Vec3> warps;
+    for (const Panel& panel : m_part.panels)
+        warps.push_back(warp((position(panel.a) + position(panel.b) + position(panel.c)) / 3.0));
+    carryByPanels(warps);
 }
 
 void Network::dropLinks(const std::vector<Id>& materials)

@@ -92,7 +92,8 @@ void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     panel.grain = grainAlong(a, b, c, warp);
 }
 
-Vec3 uprightWarp(const std::array<Vec3, 3>& corners, const std::array<TexturePoint, 3>& texture)
+Vec3 uprightWarp(const std::array<Vec3, 3>& corners,
+                 const std::array<PolygonMesh::TexturePoint, 3>& texture)
 {
     const Vec3 ab = corners[1] - corners[0];
     const Vec3 ac = corners[2] - corners[0];

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "scene/items.h"
+#include "shapes/polygon_mesh.h"
 
 #include <Eigen/Core>
 
@@ -52,8 +53,8 @@ void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Ve
 
 // A way, of any length, along which the picture goes up that lies on the corners a, b, c with these
 // texture points; where it has none, upright (y), and on what lies level along x.
-using TexturePoint = std::array<double, 2>; // u, v
-Vec3 uprightWarp(const std::array<Vec3, 3>& corners, const std::array<TexturePoint, 3>& texture);
+Vec3 uprightWarp(const std::array<Vec3, 3>& corners,
+                 const std::array<PolygonMesh::TexturePoint, 3>& texture);
 
 // The same as above with the warp in the direction in which the picture that is printed on the
 // fabric goes up.

@@ -6,9 +6,10 @@ Message RunAccuracy::complaint() const
 {
     if (isMet())
         return {};
-    if (worst == 0.0)
-        return Message("No step could be told how true it was: the motion runs away. Take a shorter "
-                       "time step, or smaller loads.");
+    if (worst == 0.0) // the only steps that missed are those of which nothing was measured
+        return Message(
+            "No step could be told how true it was: the motion runs away. Take a shorter "
+            "time step, or smaller loads.");
     const auto percent = [](double share) { return Message::number("%.3g", 100.0 * share); };
     const Message where =
         worstLink == 0

@@ -41,6 +41,17 @@ class TestAccuracy : public QObject
     Q_OBJECT
 
 private slots:
+    // A step that blows up misses, and has no error that could be told.
+    void motionThatRunsAwayHasNoFactor()
+    {
+        RunAccuracy accuracy;
+        accuracy.steps = accuracy.missed = 1;
+        QVERIFY(!accuracy.isMet());
+        const std::string said = accuracy.complaint().english();
+        QVERIFY(said.find("runs away") != std::string::npos);
+        QVERIFY(said.find("factor") == std::string::npos);
+    }
+
     // By the definition: given 1 N where the length says 1.1 N, on one rod of compliance c.
     void isWhatTheLawSaysAgainstWhatWasGiven()
     {

@@ -467,6 +467,27 @@ private slots:
             QCOMPARE(settler.progress().since >= 20.0 - 1e-6, true);
     }
 
+    // A mass that swings up and down stands still at its turning points. Who gives up at one tells
+    // how fast it was before, not that it is slow enough: 0.01 m at w = sqrt(k / m) = 10 rad/s.
+    void tellsWhatWasTooFast()
+    {
+        System system = emptySystem(1.0 / 960.0);
+        addPin(system, Vec3::Zero());
+        addParticle(system, {1.01, 0.0, 0.0}, 1.0);
+        addSpring(system, 0, 1, 1.0, 100.0);
+        finish(system);
+        Simulation simulation(shared(std::move(system)));
+        const double period = 2.0 * std::numbers::pi / 10.0;
+        Settler settler({.speed = 0.02, .during = 0.5, .within = 3.0 * period}, simulation);
+        while (!settler.isOver()) {
+            QVERIFY(simulation.step());
+            settler.look(simulation);
+        }
+        QCOMPARE(settler.progress().outcome, Settling::Outcome::GaveUp);
+        QVERIFY(simulation.state().velocity[1].norm() < 0.01);
+        QVERIFY(settler.progress().speed > 0.02 && settler.progress().speed < 0.1 + 1e-3);
+    }
+
 private:
     static const char* told2(double got, double expected) { return ripstop::told(got, expected); }
 };

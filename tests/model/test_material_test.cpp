@@ -272,6 +272,9 @@ private slots:
                  shown);
         QCOMPARE(call({"fit", test, "--length", "1"}).exitCode, 2); // a strip needs a width
         QCOMPARE(call({"fit", test, "--of", "line", "--length", "1 kg"}).exitCode, 2);
+        const Outcome wide = call({"fit", test, "--length", "20 cm", "--width", "5"}); // of metres
+        QVERIFY2(wide.exitCode == 2 && wide.error.contains("\"5 cm\""), qPrintable(wide.error));
+        QCOMPARE(call({"fit", test, "--length", "20 cm", "--width", "5 cm"}).exitCode, 0);
         QCOMPARE(call({"fit", folder.filePath("no.csv"), "--of", "line", "--length", "1"}).exitCode,
                  1);
         QCOMPARE(call(arguments + QStringList{"--from", "3", "--to", "4"}).exitCode, 1);

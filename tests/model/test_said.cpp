@@ -227,6 +227,11 @@ private slots:
         };
         QVERIFY2(said("never").contains("times its strength"), qPrintable(said("never")));
         QVERIFY(!said("strength").contains("times its strength"));
+        // a rule of one's own may be wide: then it is not said that there is none
+        const Outcome wide = call({"run", path, "--seconds", "0.5", "--set", "cord.tearRule=force",
+                                   "--set", "cord.tearLimit=1e6"});
+        QVERIFY2(wide.exitCode == 0 && !wide.error.contains("times its strength"),
+                 qPrintable(wide.error));
     }
 
     void warnsBeforeFlying()

@@ -9,8 +9,8 @@
 namespace ripstop {
 
 // The colour of the n-th curve: neighbours differ for everybody, also for the colour-blind, and
-// each stands out from the background of the palette, light or dark. After eight come
-// darker shades of them, and after sixteen they repeat.
+// each stands out from the background of the palette, light or dark. After eight come darker shades
+// of them, and after sixteen they repeat.
 QColor curveColor(int n, const QPalette& palette);
 
 // Whether the palette has a dark background for text and curves.
