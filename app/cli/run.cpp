@@ -169,9 +169,8 @@ double fly(Simulation& simulation, const RunOptions& options, ControlPlayer& con
 }
 
 // The worst place that has borne more than it can and is whole, as its material never tears.
-void warnOfOverload(const Scene& scene, const Frame& frame)
+void warnOfOverload(const std::vector<Id>& lasting, const Frame& frame)
 {
-    const std::vector<Id> lasting = materialsThatNeverTear(scene);
     for (const LoadedPlace& place : frame.worstOfRun.all()) {
         if (place.torn || place.margin() <= 1.0
             || std::ranges::find(lasting, Id{place.material}) == lasting.end())
@@ -191,8 +190,9 @@ void warnOfOverload(const Scene& scene, const Frame& frame)
 }
 
 // Says on the standard error what was wrong with the run.
-int judge(const Scene& scene, const Simulation& simulation, const Json& result,
-          const RunOptions& options)
+//   lasting  materials that never tear
+int judge(const Simulation& simulation, const Json& result, const RunOptions& options,
+          const std::vector<Id>& lasting)
 {
     if (simulation.trouble())
         return fail(Diverged, simulation.trouble()->message);
@@ -201,7 +201,7 @@ int judge(const Scene& scene, const Simulation& simulation, const Json& result,
     if (!result["absurd"].empty())
         return Absurd;
     const auto frame = simulation.frame();
-    warnOfOverload(scene, *frame);
+    warnOfOverload(lasting, *frame);
     if (const Message complaint = frame->accuracy.complaint(); !complaint.empty()) {
         fail(Inaccurate, complaint);
         if (options.strict)
@@ -214,7 +214,8 @@ int judge(const Scene& scene, const Simulation& simulation, const Json& result,
 
 // Flies a compiled scene, writes what was asked for and reports.
 int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& options,
-                 const std::optional<SettleGoal>& goal, ControlTrack track)
+                 const std::optional<SettleGoal>& goal, ControlTrack track,
+                 const std::vector<Id>& lasting)
 {
     RunFiles files(options, scene);
     if (const auto failure = files.open(simulation))
@@ -247,7 +248,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& o
         printProfile(result);
     for (const Failure& failure : unwritten)
         fail(BadInput, failure.message);
-    return unwritten.empty() ? judge(scene, simulation, result, options) : BadInput;
+    return unwritten.empty() ? judge(simulation, result, options, lasting) : BadInput;
 }
 
 // The goal of a settling run, if one was asked for; wrong usage is a failure that says what is
@@ -304,11 +305,12 @@ int run(const RunOptions& options)
     if (!system)
         return fail(BadInput, Message("%1: %2", options.scene.file, system.message()));
     tellWarnings(*loaded.scene, options.scene.file);
+    const std::vector<Id> lasting = materialsThatNeverTear(*loaded.scene);
     if (options.finalScene.empty() && options.tears.empty() && options.record.empty()
         && options.events.empty() && options.loads.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
-    return flyAndReport(*loaded.scene, simulation, options, *goal, std::move(track));
+    return flyAndReport(*loaded.scene, simulation, options, *goal, std::move(track), lasting);
 }
 
 } // namespace
