@@ -3,7 +3,7 @@
 //    read once. That it can be read is tested (tests/model/test_materials_file.cpp).
 // 2. The settable properties are the physical ones, apart from densities. A preset that is silent
 //    about one of them sets its default, so that no number of the preset before it stays. A
-//    material that tears by its strengths goes on to do so, as the preset brings them.
+//    material that tears by its strengths goes on to do so where the preset is of the same kind.
 // 3. presetEdit() sets them all and changes the density only where both the old and the new are
 //    known, because weighing needs both (weigh.h).
 #include "materials/presets.h"
@@ -39,10 +39,22 @@ const std::vector<const Property*>& settable()
     return properties;
 }
 
+// Whether it tears by strengths, and by those that the preset brings others of; a sail is no line.
+bool goesOnTearing(const Material& material, const Preset& preset)
+{
+    const bool cloth = material.warpStrength || material.weftStrength;
+    const bool line = material.lineStrength.has_value();
+    const bool spar = material.breakingMoment.has_value();
+    const bool isAlike = isSheet(preset.kind)                 ? cloth
+                         : preset.kind == PresetKind::Line ? line
+                                                           : spar;
+    return isByStrength(material.tearRule) && (isAlike || !(cloth || line || spar));
+}
+
 // What the preset makes of a property of a material.
 Value valueFor(const Material& material, const Preset& preset, const Property& property)
 {
-    if (isOneOf<&Material::tearRule>(property) && isByStrength(material.tearRule))
+    if (isOneOf<&Material::tearRule>(property) && goesOnTearing(material, preset))
         return property.get(&material);
     const PresetNumber* number = findNumber(preset, property);
     return number ? number->value : property.initial;
@@ -51,7 +63,8 @@ Value valueFor(const Material& material, const Preset& preset, const Property& p
 bool isAlike(const Material& material, const Preset& preset)
 {
     const auto has = [&](const Property& property) {
-        return property.get(&material) == valueFor(material, preset, property);
+        return (isOneOf<&Material::tearLimit>(property) && isByStrength(material.tearRule))
+               || property.get(&material) == valueFor(material, preset, property);
     };
     return std::ranges::all_of(settable(), [&](const Property* property) { return has(*property); })
            && std::ranges::all_of(preset.values, [&](const PresetNumber& number) {
