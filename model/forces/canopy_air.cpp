@@ -179,14 +179,18 @@ void fillWithAir(const Canopy& canopy, const Form& form, double speed, double de
 
     const double scale = leastVolume * canopy.area * std::sqrt(canopy.area);
     const double stiffness = most / (softness * std::max(form.volume, scale)); // Pa/m^3
-    const double yields = 1.0 + stiffness * h * h * form.yielding;
+    const double yields = h * h * form.yielding;                               // m^3/Pa
     const double foreseen = form.volume + h * form.growth;
-    air.volume += h * inflow;
-    air.pressure = std::clamp(stiffness * (air.volume - foreseen) / yields, 0.0, most);
+    // The canopy that is foreseen knows nothing of what holds it against the pressure that there
+    // is, and has room for more air the longer the substep is.
+    const double held = air.volume + air.pressure * yields + h * inflow;
+    air.pressure =
+        std::clamp(stiffness * (held - foreseen) / (1.0 + stiffness * yields), 0.0, most);
     air.fullness = air.pressure / most;
+    air.volume = held - air.pressure * yields;
     // what cannot be held flows out, and where the canopy grows faster than it fills, air follows
     if (air.pressure <= 0.0 || air.pressure >= most)
-        air.volume = foreseen + air.pressure * yields / stiffness;
+        air.volume = foreseen + air.pressure / stiffness;
 }
 
 void takeAlong(const Canopy& canopy, const Form& form, double speed, double density, double h,

@@ -9,6 +9,7 @@
 
 #include "assembly/carry_over.h"
 #include "builders/builder.h"
+#include "builders/typed_parameters.h"
 #include "check/check.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
@@ -432,6 +433,44 @@ private slots:
         QCOMPARE(simulation.state().canopies.size(), std::size_t(1));
         QVERIFY(simulation.runUntil(12.0));
         QVERIFY(simulation.state().canopies[0].fullness > 0.9);
+    }
+
+    // A steady wind fills a held canopy of real cloth once and for all, whatever the length of the
+    // substep and whenever it changes; loads that swing would be those of the solver.
+    void steadyWindGivesASteadyForce_data()
+    {
+        QTest::addColumn<QString>("cord");
+        QTest::addColumn<double>("speed");
+        QTest::newRow("10 m/s") << "mil_5040_1" << 10.0;
+        QTest::newRow("15 m/s") << "mil_5040_1" << 15.0;
+        QTest::newRow("stiffer lines, 15 m/s") << "mil_5040_3" << 15.0;
+    }
+    void steadyWindGivesASteadyForce()
+    {
+        QFETCH(QString, cord);
+        QFETCH(double, speed);
+        const Builder& builder = *findBuilder("parachute");
+        const auto given = parametersFrom(builder, {"mouth=0.1", "cord=" + cord.toStdString()});
+        Scene scene = *build(builder, newDesign(builder, *given));
+        for (Particle& particle : partOf(scene).particles)
+            particle.pinned = particle.mass > 1.0; // the payload
+        addWind(scene, Vec3(0.0, speed, 0.0));
+        const auto lastForces = [&](int finer) {
+            Scene refined = scene;
+            refined.settings.timeStep /= finer;
+            Simulation simulation(*compile(refined));
+            std::pair<double, double> bounds(1e9, 0.0); // N
+            while (simulation.state().time < 5.0 && simulation.step())
+                if (simulation.state().time > 4.5) {
+                    const double force = probe(simulation, "air force");
+                    bounds = {std::min(bounds.first, force), std::max(bounds.second, force)};
+                }
+            return bounds;
+        };
+        const auto [least, most] = lastForces(1);
+        QVERIFY2(least > 0.998 * most, told(least, most));
+        const double finer = lastForces(2).second;
+        QVERIFY2(isNear(most, finer, 0.002 * finer), told(most, finer));
     }
 
     // 10 000 N of air on a canopy of 1.2 kg that carries 2 kg: added mass is thirty times the cloth
