@@ -202,11 +202,8 @@ void hollow(Network& network, const std::vector<Id>& canopy, double width)
 std::vector<Id> addHubs(Network& network, const std::vector<Id>& held, const Parameters& p,
                         const CanopyMaterials& materials)
 {
-    const std::vector<Id> hubs =
-        addHoop(network, held, 0.75 * p.at("width"), p.at("hoop_mass"), materials.frame);
-    // no cloth runs from arm to arm, so they could all come in together as the hubs part
-    network.rod(hubs[0], hubs[1], materials.frame);
-    return hubs;
+    constexpr bool isTied = true; // no cloth runs from arm to arm
+    return addHoop(network, held, 0.75 * p.at("width"), p.at("hoop_mass"), materials.frame, isTied);
 }
 
 Result<Scene> buildCrossParachute(const Parameters& p)

@@ -32,6 +32,7 @@ CanopyMaterials addCanopyMaterials(Scene& scene, const std::map<std::string, dou
     };
     CanopyMaterials materials{};
     materials.cloth = {add(names[0], colors[0], true), add(names[1], colors[1], true)};
+    material.porosity = 0.0; // of cloth alone
     materials.seams = add("seams", "#b5b2a6", true);
     material.diameter = parameters.at("line_diameter");
     materials.lines = add("suspension line", "#4f5d75", true);
@@ -41,7 +42,7 @@ CanopyMaterials addCanopyMaterials(Scene& scene, const std::map<std::string, dou
 }
 
 std::vector<Id> addHoop(Network& network, const std::vector<Id>& skirt, double reach, double mass,
-                        Id material)
+                        Id material, bool isTied)
 {
     const double height = network.position(skirt.front()).y();
     std::vector<Id> hubs;
@@ -49,6 +50,8 @@ std::vector<Id> addHoop(Network& network, const std::vector<Id>& skirt, double r
         hubs.push_back(network.particle({0.0, height + side * reach, 0.0}, 0.5 * mass));
         network.spokes(hubs.back(), skirt, material);
     }
+    if (isTied)
+        network.rod(hubs[0], hubs[1], material);
     return hubs;
 }
 

@@ -47,8 +47,9 @@ CanopyMaterials addCanopyMaterials(Scene& scene, const std::map<std::string, dou
                                    const std::array<const char*, 2>& colors);
 
 // Two particles above and below the skirt, `reach` m away, tied to all of it: a rigid double
-// pyramid.
+// pyramid where the skirt pushes, as the paper's does. One that only pulls could close while the
+// two part, unless they are tied to each other as well.
 std::vector<Id> addHoop(Network& network, const std::vector<Id>& skirt, double reach, double mass,
-                        Id material);
+                        Id material, bool isTied);
 
 } // namespace ripstop

@@ -59,7 +59,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
     {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy", {}, 1.68},
     {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full.", {}, {}, {}, isNotZero("pressure")},
-    {"porosity",      "",       0,      0, 0.5,   false, "Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own."},
+    {"porosity",      "",       0,      0, 0.5,   false, "Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own.", {}, {}, {}, isZero("cloth")},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
 });
 // clang-format on
@@ -270,7 +270,7 @@ Result<Scene> buildParachute(const Parameters& p)
     std::vector<Id> hubs;
     if (p.at("hoop") > 0.0 && !holdsAir)
         hubs = addHoop(network, canopy.skirt(), 0.25 * p.at("diameter"), p.at("hoop_mass"),
-                       materials.frame);
+                       materials.frame, !isIdeal(p, "cloth"));
     if (p.at("equal_masses") > 0.0)
         network.shareMass(payload);
     makeOf(p, craft, scene, network, canopyChoices);
