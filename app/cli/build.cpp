@@ -62,15 +62,23 @@ std::vector<std::string> idleOnes(const Builder& builder, const Parameters& give
     return idle;
 }
 
-// What is offered of a material that one can buy, and is ideal because of numbers of one's own.
-std::vector<std::string_view> idealOnes(const Builder& builder, const Parameters& design)
+// Says what is offered of a new design, such as materials that one can buy, and is not because of
+// numbers of one's own.
+void tellIdealOnes(const Builder& builder, const Parameters& design)
 {
-    std::vector<std::string_view> ideal;
-    for (const Parameter& parameter : builder.parameters)
-        if (parameter.offered && !parameter.choices.empty()
-            && !design.contains(std::string(parameter.key)))
-            ideal.push_back(parameter.key);
-    return ideal;
+    for (const Parameter& parameter : builder.parameters) {
+        const std::string_view key = parameter.key;
+        if (!parameter.offered || design.contains(std::string(key)))
+            continue;
+        std::cerr << "ripstop-cli: " << key << " is ";
+        if (parameter.choices.empty())
+            std::cerr << shortNumber(parameter.initial)
+                      << ", as the numbers that are given want it, "
+                      << "and not " << shortNumber(*parameter.offered) << ".\n";
+        else
+            std::cerr << "ideal, as the numbers that are given want it; " << key
+                      << "=NAME chooses one that can be bought.\n";
+    }
 }
 
 struct BuildOptions
@@ -94,15 +102,11 @@ int buildScene(const BuildOptions& options)
     if (!scene)
         return fail(WrongUsage, scene.message());
     if (const auto cloth = design.find("cloth"); cloth == design.end() || cloth->second != 0.0)
-        for (const std::string_view key : idealOnes(*builder, design))
-            std::cerr << "ripstop-cli: " << key
-                      << " is ideal, as the numbers that are given want it; " << key
-                      << "=NAME chooses one that can be bought.\n";
+        tellIdealOnes(*builder, design);
     for (const std::string& key : idleOnes(*builder, *parameters, *scene))
         std::cerr << "ripstop-cli: warning: " << key
-                  << " changes nothing here: it counts beside other parameters only; ripstop-cli "
-                     "builders "
-                  << builder->name << " says which.\n";
+                  << " changes nothing of this design; ripstop-cli builders " << builder->name
+                  << " says what each parameter is for.\n";
     if (const auto failure = assign(*scene, options.assignments))
         return fail(WrongUsage, failure->message);
     if (const auto failure = saveReadable(*scene, options.output))

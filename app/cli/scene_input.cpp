@@ -7,6 +7,7 @@
 #include "io/scene_file.h"
 #include "scene/path.h"
 #include "simulation/simulation.h"
+#include "study/point_scene.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -107,6 +108,13 @@ void tellWarnings(const Scene& scene, const std::string& file)
         if (problem.severity == Severity::Warning)
             std::cerr << "ripstop-cli: warning: " << file << ": " << problem.message.english()
                       << '\n';
+}
+
+void tellIdle(const Scene& scene, const std::string& file, const std::vector<std::string>& paths)
+{
+    for (const std::string& path : idleAmong(scene, paths))
+        std::cerr << "ripstop-cli: warning: " << file << ": " << path
+                  << " changes nothing of this design: every run is the same flight.\n";
 }
 
 } // namespace ripstop

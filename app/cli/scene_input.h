@@ -42,6 +42,9 @@ SceneOutcome loadScene(const SceneInput& input);
 // window does; before something is flown. Errors are told by whoever cannot go on.
 void tellWarnings(const Scene& scene, const std::string& file);
 
+// Of what a sweep or a study sets, that which changes nothing of this design.
+void tellIdle(const Scene& scene, const std::string& file, const std::vector<std::string>& paths);
+
 // Applies the assignments in their order; a failure names the first that does not fit.
 std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assignments);
 

@@ -111,6 +111,10 @@ int runStudy(const std::string& file, const std::string& shardText, int jobs, Ed
     auto opened = openWith(file, edited);
     if (!opened)
         return fail(BadInput, opened.message());
+    std::vector<std::string> paths;
+    for (const StudyVariable& variable : opened->study.variables)
+        paths.insert(paths.end(), variable.paths.begin(), variable.paths.end());
+    tellIdle(opened->scene, file, paths);
     const bool isOptimised = opened->optimiser.has_value();
     const double most = double(Optimiser::most(opened->study.plan)); // of an optimisation
     std::optional<ProgressLine> progress("study");

@@ -294,6 +294,10 @@ int prepare(const SweepOptions& options, Sweep& sweep)
         if (const int code = refuseTargets({options.output}, inputs); code != Done)
             return code;
         tellWarnings(*loaded.scene, options.scenes[i]);
+        std::vector<std::string> paths;
+        for (const SweepAxis& axis : sweep.axes)
+            paths.push_back(axis.path);
+        tellIdle(*loaded.scene, options.scenes[i], paths);
         sweep.controls.emplace_back();
         if (!options.controls.empty()) {
             auto track = readControlTrack(options.controls, *loaded.scene);

@@ -2,8 +2,9 @@
 // the file that it names, anything else is a number or a choice.
 #include "builders/typed_parameters.h"
 
+#include "scene/typed_number.h"
+
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <sstream>
 
@@ -36,18 +37,18 @@ std::string listed(std::span<const std::string_view> choices)
 Result<double> parameterValue(const Builder& builder, std::string_view key, std::string_view text)
 {
     const auto parameter = std::ranges::find(builder.parameters, key, &Parameter::key);
-    const bool isChoice = parameter != builder.parameters.end() && !parameter->choices.empty();
+    const bool isKnown = parameter != builder.parameters.end();
+    const bool isChoice = isKnown && !parameter->choices.empty();
     if (isChoice)
         if (const auto choice = std::ranges::find(parameter->choices, text);
             choice != parameter->choices.end())
             return double(choice - parameter->choices.begin());
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size())
-        return value;
+    const Typed typed = typedValue(text, isKnown ? parameter->unit : std::string_view());
+    if (typed.number)
+        return typed.number->number;
     return isChoice
                ? Failure("%1 must be one of %2, not \"%3\".", key, listed(parameter->choices), text)
-               : Failure("%1 must be a number, not \"%2\".", key, text);
+               : Failure("%1 %2, not \"%3\".", key, typed.complaint, text);
 }
 
 Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std::string>& texts)

@@ -33,7 +33,7 @@ constexpr std::array units{
     Unit{"N", 1.0, force},          Unit{"mN", 1e-3, force},    Unit{"cN", 1e-2, force},
     Unit{"daN", 10.0, force},       Unit{"kN", 1e3, force},     Unit{"MN", 1e6, force},
     Unit{"kgf", gravity, force},    Unit{"lbf", pound * gravity, force},
-    Unit{"kn", 1852.0 / 3600, speed}, Unit{"mph", 1609.344 / 3600, speed}, Unit{"kph", 1 / 3.6, speed},
+    Unit{"kn", 1852.0 / 3600, speed}, Unit{"kt", 1852.0 / 3600, speed}, Unit{"mph", 1609.344 / 3600, speed}, Unit{"kph", 1 / 3.6, speed},
     Unit{"Pa", 1.0, pressure},      Unit{"hPa", 1e2, pressure}, Unit{"kPa", 1e3, pressure},
     Unit{"MPa", 1e6, pressure},     Unit{"GPa", 1e9, pressure}, Unit{"bar", 1e5, pressure},
     Unit{"mbar", 1e2, pressure},

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace ripstop {
@@ -135,6 +136,33 @@ std::string unitOf(const Scene& scene, const std::string& path)
     if (!place || place->targets.empty())
         return {};
     return std::string(unitOf(scene, *place->property, *find(scene, place->targets.front())));
+}
+
+std::vector<std::string> idleAmong(const Scene& scene, const std::vector<std::string>& paths)
+{
+    std::vector<std::string> idle;
+    for (const std::string& path : paths) {
+        if (!setsParameter(path))
+            continue;
+        const auto found = parameterOf(scene, path);
+        if (!found)
+            continue;
+        const std::string part = path.substr(0, path.find(mark) + mark.size());
+        const std::span<const Parameter> all = found->builder->parameters;
+        const auto needsOthers = [&](std::string_view key) { // whether it needs one of the paths
+            for (auto one = std::ranges::find(all, key, &Parameter::key);
+                 one != all.end() && !one->needs.key.empty();
+                 one = std::ranges::find(all, one->needs.key, &Parameter::key))
+                if (std::ranges::count(paths, part + std::string(one->needs.key)) > 0)
+                    return true;
+            return false;
+        };
+        const auto ref = find(scene, found->part);
+        if (!needsOthers(found->parameter->key)
+            && !counts(*found->parameter, all, std::get<const Part*>(*ref)->parameters))
+            idle.push_back(path);
+    }
+    return idle;
 }
 
 std::optional<Failure> checkAssignment(const Scene& scene, const std::string& text)

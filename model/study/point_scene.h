@@ -35,6 +35,10 @@ Result<Edit> editWith(const Scene& scene, const std::vector<std::string>& assign
 // Of what a path sets, or empty.
 std::string unitOf(const Scene& scene, const std::string& path);
 
+// Those of the paths that set parameters of builders which change nothing of this design, whatever
+// the others set: the mass of a hoop where there is none.
+std::vector<std::string> idleAmong(const Scene& scene, const std::vector<std::string>& paths);
+
 // Whether it can be set in this scene, beside no other.
 std::optional<Failure> checkAssignment(const Scene& scene, const std::string& assignment);
 
