@@ -9,6 +9,7 @@
 #include "check/step_limits.h"
 #include "derived/link_stiffness.h"
 #include "derived/panel_fabric.h"
+#include "derived/tear_bounds.h"
 #include "select/net.h"
 
 #include <algorithm>
@@ -280,67 +281,79 @@ std::optional<Finding> iterations(const Look& look)
     return finding;
 }
 
+// What a link resists of its length at the start, as a share of that at rest.
+double strainAtStart(const Link& link, double stretch)
+{
+    switch (link.resists) {
+    case Resists::Tension:
+        return std::max(stretch, 0.0);
+    case Resists::Compression:
+        return std::max(-stretch, 0.0);
+    case Resists::Both:
+        break;
+    }
+    return std::abs(stretch);
+}
+
 std::vector<Finding> lengths(const Look& look)
 {
     double worst = 0.0;
-    Finding stretched = about(Message("Lengths")), torn = about(Message("Tearing"));
-    std::vector<Value> starts; // m, [stretched.culprits]
+    Finding strained = about(Message("Lengths")), torn = about(Message("Tearing"));
+    std::vector<Value> starts; // m, [strained.culprits]
     std::vector<std::pair<Id, double>> found;
     for (std::size_t k = 0; k < look.net.ends.size(); ++k) {
         const Link& link = *look.net.all.links[k];
-        if (!look.isTied(k) || link.resists == Resists::Compression || !(link.restLength > 0.0))
+        if (!look.isTied(k) || !(link.restLength > 0.0))
             continue;
         const double start = (look.end(k, 0).position - look.end(k, 1).position).norm();
-        const double strain = start / link.restLength - 1.0;
+        const double strain = strainAtStart(link, start / link.restLength - 1.0);
         worst = std::max(worst, strain);
         if (strain > mostStartStrain)
             found.emplace_back(link.id, start);
         const int place = look.index.material(link.material);
-        if (place < 0)
-            continue;
-        const auto& material = std::get<Material>(look.scene.items[std::size_t(place)].item);
-        const double limit = link.tearLimit.value_or(material.tearLimit);
-        if ((material.tearRule == TearRule::Length && start > limit)
-            || (material.tearRule == TearRule::Strain && strain > limit))
+        if (place >= 0 && link.resists != Resists::Compression
+            && isBeyondLimit(std::get<Material>(look.scene.items[std::size_t(place)].item), link,
+                             start))
             torn.culprits.push_back(link.id);
     }
     std::ranges::sort(found);
     for (const auto& [id, start] : found) {
-        stretched.culprits.push_back(id);
+        strained.culprits.push_back(id);
         starts.emplace_back(start);
     }
     std::vector<Finding> findings;
     if (!found.empty()) {
         const Message most = shortNumber(100.0 * mostStartStrain);
-        const Message longest = shortNumber(100.0 * worst);
-        stretched.severity = Severity::Warning;
-        stretched.message =
+        const Message largest = shortNumber(100.0 * worst);
+        strained.severity = Severity::Warning;
+        strained.message =
             found.size() == 1
-                ? Message("1 link is longer at the start than at rest by more than %1 %, up to "
-                          "%2 %.",
-                          most, longest)
-                : Message("%1 links are longer at the start than at rest by more than %2 %, up to "
-                          "%3 %.",
-                          found.size(), most, longest);
-        stretched.repair = setting(Message("Rest as they start"), propertyOf<&Link::restLength>(),
-                                   stretched.culprits, std::move(starts));
+                ? Message("1 link is longer or shorter at the start than at rest by more than "
+                          "%1 %, up to %2 %.",
+                          most, largest)
+                : Message("%1 links are longer or shorter at the start than at rest by more than "
+                          "%2 %, up to %3 %.",
+                          found.size(), most, largest);
+        strained.repair = setting(Message("Rest as they start"), propertyOf<&Link::restLength>(),
+                                  strained.culprits, std::move(starts));
     } else if (!look.net.ends.empty()) {
-        stretched.message =
-            worst < 1e-4 ? Message("No link is longer at the start than at rest.")
-                         : Message("Links are at most %1 % longer at the start than at rest.",
+        strained.message =
+            worst < 1e-4 ? Message("Links are as long at the start as at rest, or slack.")
+                         : Message("Links are at most %1 % longer or shorter at the start than at "
+                                   "rest.",
                                    shortNumber(100.0 * worst));
     }
-    if (!stretched.message.empty())
-        findings.push_back(std::move(stretched));
+    if (!strained.message.empty())
+        findings.push_back(std::move(strained));
     if (!torn.culprits.empty()) {
         std::ranges::sort(torn.culprits);
         torn.severity = Severity::Warning;
         torn.message =
             torn.culprits.size() == 1
-                ? Message("1 link is beyond the tear limit at the start and will tear in "
-                          "the first step.")
-                : Message("%1 links are beyond the tear limit at the start and will tear "
-                          "in the first step.",
+                ? Message("1 link is beyond the tear limit at the start: the first step tears it, "
+                          "or throws its ends together.")
+                : Message("%1 links are beyond the tear limit at the start: the first step tears "
+                          "them, or throws their ends together.",
                           torn.culprits.size());
         findings.push_back(std::move(torn));
     }

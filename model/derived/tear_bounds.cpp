@@ -1,4 +1,8 @@
+// plainTearOf() turns the rule of a material into that of one link; joints and factors come on top.
+// Then what asks for it: a link at a length, panels, and spars.
 #include "derived/tear_bounds.h"
+
+#include "derived/link_stiffness.h"
 
 namespace ripstop {
 namespace {
@@ -45,6 +49,27 @@ TearLimit linkTearOf(const Material& material, LinkRole role, double width,
 {
     const TearLimit tear = plainTearOf(material, role, width, own);
     return own ? tear : timesStrength(tear, factor);
+}
+
+bool isBeyondLimit(const Material& material, const Link& link, double length)
+{
+    const double longer = length - link.restLength;
+    const TearLimit tear =
+        linkTearOf(material, link.role, link.width, link.tearLimit, link.strengthFactor);
+    switch (tear.rule) {
+    case TearRule::Length:
+        return length > tear.limit;
+    case TearRule::Strain:
+        return longer > tear.limit * link.restLength;
+    case TearRule::Force: {
+        if (link.kind == LinkKind::Spring)
+            return longer * link.stiffness.value_or(springStiffness(material, link)) > tear.limit;
+        const double compliance = link.compliance.value_or(rodCompliance(material, link));
+        return compliance > 0.0 && longer > tear.limit * compliance;
+    }
+    default:
+        return false;
+    }
 }
 
 FabricTear fabricTearOf(const Material& material)

@@ -32,6 +32,10 @@ namespace ripstop {
 TearLimit linkTearOf(const Material& material, LinkRole role, double width,
                      std::optional<double> own, double factor = 1.0);
 
+// Whether a link that is drawn to this length, m, is beyond its limit. What a rod without compliance
+// pulls with, no length tells: by a force it never is.
+bool isBeyondLimit(const Material& material, const Link& link, double length);
+
 FabricTear fabricTearOf(const Material& material);
 
 double shareLeftByJoints(const Material& material); // 1, of all its strengths

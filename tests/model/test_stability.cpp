@@ -196,6 +196,13 @@ private slots:
         part(scene).links[1].restLength = 0.9;
         part(scene).links[1].resists = Resists::Compression; // it hangs loose
         QVERIFY(!isPoor(scene, "Lengths"));
+        // what is pressed together springs back as what is drawn out does
+        part(scene).links[1].restLength = 1.7;
+        QVERIFY(about(scene, "Lengths")->culprits == std::vector{Id{1001}});
+        part(scene).links[1].resists = Resists::Both;
+        QVERIFY(about(scene, "Lengths")->culprits == std::vector{Id{1001}});
+        part(scene).links[1].resists = Resists::Tension;
+        QVERIFY(!isPoor(scene, "Lengths"));
     }
 
     void whatTearsAtOnce()
@@ -211,6 +218,13 @@ private slots:
         part(scene).links[2].tearLimit = {};
         QVERIFY(!isPoor(scene, "Tearing"));
         part(scene).links[0].restLength = 0.8; // 25 % at the start
+        QVERIFY(about(scene, "Tearing")->culprits == std::vector{Id{1000}});
+        // 25 % of a cord of 1 kN are 250 N
+        cord(scene).tearRule = TearRule::Strength;
+        cord(scene).axialStiffness = 1000.0;
+        cord(scene).lineStrength = 260.0;
+        QVERIFY(!isPoor(scene, "Tearing"));
+        cord(scene).jointEfficiency = 0.9;
         QVERIFY(about(scene, "Tearing")->culprits == std::vector{Id{1000}});
     }
 
