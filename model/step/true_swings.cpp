@@ -6,6 +6,8 @@
 namespace ripstop {
 namespace {
 
+using std::numbers::pi;
+
 constexpr double share = 0.01;
 
 double largestAngle(Integrator integrator, bool held) // rad, that a swing goes on in a substep
@@ -13,13 +15,13 @@ double largestAngle(Integrator integrator, bool held) // rad, that a swing goes 
     if (integrator == Integrator::Bdf2)
         return std::sqrt(3.0 * share);
     if (held)
-        return 2.0 * share;
+        return share / pi;
     switch (integrator) {
     case Integrator::ExplicitEuler:
     case Integrator::ImplicitEuler:
-        return 2.0 * share;
+        return share / pi;
     case Integrator::RungeKutta4:
-        return std::pow(120.0 * share, 0.25);
+        return std::pow(144.0 * share / (2.0 * pi), 0.2);
     default:
         return std::sqrt(24.0 * share);
     }
@@ -29,7 +31,7 @@ double largestAngle(Integrator integrator, bool held) // rad, that a swing goes 
 
 double fastestTrueSwing(Integrator integrator, bool held, double substep)
 {
-    return largestAngle(integrator, held) / (2.0 * std::numbers::pi * substep);
+    return largestAngle(integrator, held) / (2.0 * pi * substep);
 }
 
 } // namespace ripstop

@@ -259,8 +259,9 @@ void Transport::refreshAccuracy()
             .arg(percent(accuracy.pulls), percent(accuracy.wantedPulls), percent(accuracy.strain),
                  percent(accuracy.wantedStrain))
         + QLatin1Char('\n')
-        + tr("Swings of up to %1 Hz are told within 1 % at this step; faster ones come out with "
-             "another frequency, or die away. A shorter time step tells them.")
+        + tr("Swings of up to %1 Hz keep their frequency within 1 % at this step, and their height "
+             "from one to the next; faster ones come out with another frequency, or die away. A "
+             "shorter time step tells them.")
               .arg(QLocale().toString(accuracy.fastestSwing, 'g', 2));
     m_accuracy->setToolTip(
         accuracy.isMet() ? told : told + QLatin1String("\n") + translated(accuracy.complaint()));
