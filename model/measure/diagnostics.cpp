@@ -184,6 +184,17 @@ std::vector<double> strains(const System& system, const State& state)
     return strain;
 }
 
+double pullOfRod(const System& system, const State& state, std::size_t index)
+{
+    const Rod& rod = system.rods[index];
+    if (state.step > 0 || !(rod.compliance > 0.0))
+        return state.rodTension[index];
+    const double stretch =
+        (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm()
+        - rod.restLength;
+    return isSlack(rod.resists, stretch) ? 0.0 : stretch / rod.compliance;
+}
+
 std::vector<double> tensions(const System& system, const State& state)
 {
     std::vector<double> tension;
@@ -191,7 +202,7 @@ std::vector<double> tensions(const System& system, const State& state)
     for (const LinkPlace& link : system.links) {
         const auto index = std::size_t(link.index);
         if (link.kind == LinkKind::Rod)
-            tension.push_back(state.rodTorn[index] ? 0.0 : state.rodTension[index]);
+            tension.push_back(state.rodTorn[index] ? 0.0 : pullOfRod(system, state, index));
         else
             tension.push_back(state.springTorn[index]
                                   ? 0.0

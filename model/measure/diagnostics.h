@@ -37,6 +37,10 @@ double fabricArea(const System& system, const State& state); // m^2, without wha
 std::vector<double> strains(const System& system, const State& state);  // 1
 std::vector<double> tensions(const System& system, const State& state); // N, compression negative
 
+// What a rod that holds pulls with, N: as it was solved; before the first step what its stretch
+// makes of its stiffness, and 0 where it never gives way and nothing is known yet.
+double pullOfRod(const System& system, const State& state, std::size_t rod);
+
 // Largest strain of the threads of panels that carry a pull, 1; of those with these indices,
 // ascending, or of all.
 double largestPanelStrain(const System& system, const State& state);

@@ -6,6 +6,7 @@
 #include "forces/bend_force.h"
 #include "forces/spring_force.h"
 #include "laws/bend.h"
+#include "measure/diagnostics.h"
 #include "system/membrane.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ private:
 double pullIn(const System& system, const State& state, const LinkPlace& link)
 {
     if (link.kind == LinkKind::Rod)
-        return state.rodTension[std::size_t(link.index)];
+        return pullOfRod(system, state, std::size_t(link.index));
     const auto along = [&](const auto& values) -> Vec3 {
         return values[std::size_t(link.b)] - values[std::size_t(link.a)];
     };

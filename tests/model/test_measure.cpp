@@ -37,6 +37,7 @@ System known()
     addPanel(system, 0, 1, 2, AirLaw::Paper, 4.0);
     system.wind = {0.0, 3.0, 0.0};
     finish(system);
+    system.start.step = 1; // what rods pull with is that of a step
     system.start.rodTension[0] = 7.0;
     return system;
 }
@@ -101,6 +102,22 @@ private slots:
         QVERIFY2(isNear(tension[0], 47.0, 1e-12), told(tension[0], 47.0));
         QVERIFY2(isNear(tension[1], -40.0, 1e-12), told(tension[1], -40.0));
         QVERIFY2(isNear(tension[2], 7.0, 1e-12), told(tension[2], 7.0));
+    }
+
+    // Before the first step a rod of 4 m that is 5 m long and gives way by 1 mm/N pulls with 1 kN;
+    // one that resists what it is not, nothing; and of one that never gives way nothing is known.
+    void rodsPullBeforeTheFirstStep()
+    {
+        System system = known();
+        system.start.step = 0;
+        system.start.rodTension[0] = 0.0;
+        const auto pull = [&] { return pullOfRod(system, system.start, 0); };
+        QVERIFY2(isNear(pull(), 1000.0, 1e-9), told(pull(), 1000.0));
+        system.rods[0].resists = Resists::Compression;
+        QCOMPARE(pull(), 0.0);
+        system.rods[0].resists = Resists::Both;
+        system.rods[0].compliance = 0.0;
+        QCOMPARE(pull(), 0.0);
     }
 
     void probes_data()
