@@ -258,8 +258,11 @@ void printRunTable(const Json& result, const Layout& layout)
                                + std::to_string(result["steps"].get<long>()) + " steps");
     printReportRow("wall time", shortNumber(result["wall_seconds"]) + " s, "
                                     + shortNumber(result["steps_per_second"]) + " steps/s");
-    printReportRow("torn", std::to_string(result["torn"].get<long>()));
-    if (const Json& tears = result["tear_report"]; tears["count"].get<long>() > 0) {
+    const Json& tears = result["tear_report"];
+    const long torn = result["torn"].get<long>(), count = tears["count"].get<long>();
+    printReportRow("torn", std::to_string(torn)
+                               + (count > torn ? ", in " + std::to_string(count) + " tears" : ""));
+    if (count > 0) {
         const Json& end = tears["front"].back();
         const Json& first = tears["first"];
         const std::string kind = first.contains("panel") ? "panel" : "link";
@@ -279,15 +282,15 @@ void printRunTable(const Json& result, const Layout& layout)
                            + (still ? "has " : "had ") + shortNumber(end["speed"]) + " m/s"
                            + (still ? "" : " in the last half second"));
     }
-    printReportRow("largest strain", shortNumber(result["max_strain"]));
+    printReportRow("largest strain", shortNumber(result["max_strain"]) + " at the end");
     const Json& accuracy = result["accuracy"];
     const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
     printReportRow("error of pulls", percent(accuracy["reached"]) + ", wanted "
                                          + percent(accuracy["wanted"]) + "; missed in "
                                          + percent(accuracy["missed"]) + " of the steps");
     if (const double fastest = accuracy["fastest_swing"].get<double>(); fastest > 0.0)
-        printReportRow("swings told truly",
-                       "up to " + Message::number("%.2g", fastest).english() + " Hz, within 1 %");
+        printReportRow("swings told truly", "up to " + Message::number("%.2g", fastest).english()
+                                                + " Hz, frequency and height within 1 %");
     printReportRow("energy", shortNumber(result["energy"]) + " J");
     printReportRow("hash", result["hash"].get<std::string>());
     const std::vector<std::string> names = distinctNames(layout.probes);
