@@ -278,6 +278,21 @@ private slots:
         QCOMPARE(simulation.frame()->accuracy.missed, 0); // no step, as it lands least of all
     }
 
+    // What holds real cloth open where no air does: v = sqrt(2 m g / (rho CD0 S0)) (Knacke 1991,
+    // page 5-128), the drag being set for the shape that it is built in, and the cloth bellies.
+    void aHoopHoldsRealCloth()
+    {
+        const Scene scene =
+            kite({{"cloth", 1}, {"cord", 1}, {"pressure", 0}, {"hoop", 1}}, "parachute");
+        Simulation simulation(*compile(scene));
+        QVERIFY(simulation.runUntil(6.0));
+        const double area = 0.25 * std::numbers::pi * 25.0; // m^2
+        const double expected =
+            std::sqrt(2.0 * massOf(partOf(scene)) * standardGravity / (1.225 * 0.775 * area));
+        const double rate = probe(simulation, "sink rate");
+        QVERIFY2(isNear(rate, expected, 0.15 * expected), told(rate, expected));
+    }
+
     // All around a new flag runs a hem, 2 cm of the cloth for each metre: that is its weight, and
     // what it bears. It flies for two seconds without a tear.
     void aFlagIsHemmed()

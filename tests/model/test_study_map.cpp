@@ -300,6 +300,24 @@ private slots:
         QCOMPARE(unitOf(rope, name + ".built.lenght"), std::string());
     }
 
+    // A number may bring its unit. A hoop counts without pressure only: its mass changes nothing of
+    // a canopy that has some, unless the other is set as well.
+    void parametersHaveUnitsAndMayBeIdle()
+    {
+        const Scene chute =
+            *build(*findBuilder("parachute"), newDesign(*findBuilder("parachute"), {}));
+        const auto heavy = sceneWith(chute, {"parachute.built.payload=100 lb"});
+        QVERIFY2(heavy, heavy ? "" : heavy.message().english().c_str());
+        forEachPart(*heavy, [](Id, const Part& part) {
+            QVERIFY(std::abs(part.parameters.at("payload") - 45.359237) < 1e-9); // by definition
+        });
+        const std::string mass = "parachute.built.hoop_mass";
+        const std::string pressure = "parachute.built.pressure";
+        QCOMPARE(idleAmong(chute, {mass}), std::vector{mass});
+        QCOMPARE(idleAmong(chute, {mass, pressure}), std::vector<std::string>());
+        QCOMPARE(idleAmong(chute, {pressure, "wind.velocity"}), std::vector<std::string>());
+    }
+
     void whatCannotBeBuiltIsNamed_data()
     {
         QTest::addColumn<QString>("text");
