@@ -6694,6 +6694,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Spectres</translation>
     </message>
     <message>
+        <location filename="plot_menu.cpp"/>
+        <source>There is no value to write: what is plotted has read nothing.</source>
+        <translation>Il n’y a aucune valeur à écrire : ce qui est tracé n’a rien mesuré.</translation>
+    </message>
+    <message>
         <location filename="plot_panel.cpp"/>
         <source>No probes. Add one in the outline to plot it.</source>
         <translation>Aucune sonde. En ajouter une dans l’arborescence pour la tracer.</translation>
@@ -6712,6 +6717,16 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="plot_past.cpp"/>
         <source>%1, known from %2 on</source>
         <translation>%1, connu depuis %2</translation>
+    </message>
+    <message>
+        <location filename="plot_played.cpp"/>
+        <source>Reading the recording…</source>
+        <translation>Lecture de l’enregistrement…</translation>
+    </message>
+    <message>
+        <location filename="plot_played.cpp"/>
+        <source>What these probes read is not in the recording.</source>
+        <translation>Ce que mesurent ces sondes n’est pas dans l’enregistrement.</translation>
     </message>
     <message>
         <location filename="plot_view.cpp"/>

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -63,6 +64,8 @@ void History::take(std::uint64_t run, const std::shared_ptr<const Layout>& layou
     if (m_time.size() >= m_most || m_time.size() * m_columns.size() >= mostValues)
         thin();
 }
+
+void History::setTears(std::vector<double> times) { m_tears = std::move(times); }
 
 void History::fillPast(const Layout::Probe& probe, std::span<const double> time,
                        std::span<const double> value)

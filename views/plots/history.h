@@ -27,8 +27,9 @@ public:
     // Frames of one run come in order of time; one of another run starts over. A probe that was
     // added in the middle of the run has read nothing (NaN) before.
     void add(const Frame& frame);
-    void add(const ProbeSample& sample); // between two frames
-    void clear();                        // forgets what was until now; the run goes on
+    void add(const ProbeSample& sample);      // between two frames
+    void clear();                             // forgets what was until now; the run goes on
+    void setTears(std::vector<double> times); // s, ascending; samples do not bring them
 
     // What a probe would have read, as its recording has it (recording/probe_past.h): fills its
     // samples before the first that it has, straight between the frames.

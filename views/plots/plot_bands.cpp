@@ -1,6 +1,5 @@
 // Bands of what the values of probes may be off by, as certificates have it (plots/error_bands.h):
-// where the certificates come from, the curves of a certified recording that is looked back at, and
-// the words and the choice about them.
+// where the certificates come from, and the words and the choice about them.
 #include "document/document.h"
 #include "document/player.h"
 #include "document/recordings.h"
@@ -24,34 +23,6 @@ void PlotPanel::takeCertificates()
 {
     m_bands.setCertificates(m_recordings->certificates());
     drawSoon();
-}
-
-// A certificate has the values of its run at every step. They are drawn while that run is looked
-// back at, unless it is the one that is drawn anyway.
-void PlotPanel::takePlayed(const Frame& frame)
-{
-    const auto& recording = m_recordings ? m_recordings->current() : nullptr;
-    auto certificate =
-        recording && frame.run != m_history.run() ? recording->certificate() : nullptr;
-    if (certificate == m_played)
-        return;
-    m_played = std::move(certificate);
-    if (m_played) {
-        ProbeSample sample{frame.run, frame.layout, 0.0, {}};
-        const std::vector<CertifiedProbe>& probes = m_played->probes;
-        for (std::size_t i = 0; i < m_played->time.size(); ++i) {
-            sample.time = m_played->time[i];
-            sample.probe.assign(frame.layout->probes.size(), std::nan(""));
-            for (std::size_t p = 0; p < sample.probe.size(); ++p) {
-                const auto found =
-                    std::ranges::find(probes, frame.layout->probes[p].name, &CertifiedProbe::name);
-                if (found != probes.end())
-                    sample.probe[p] = found->value[i];
-            }
-            m_playedHistory.add(sample);
-        }
-    }
-    rebuildViews();
 }
 
 QString PlotPanel::errorText(std::uint32_t probe, std::optional<double> time) const

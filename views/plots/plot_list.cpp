@@ -41,10 +41,12 @@ bool PlotPanel::isDrawn(const Entry& probe) const
 
 QString PlotPanel::unitOf(Id id) const
 {
-    if (const auto& frame = m_player.frame())
-        for (const Layout::Probe& probe : frame->layout->probes)
-            if (probe.id == std::uint32_t(id))
-                return QString::fromStdString(probe.unit);
+    // a recording that is looked back at need not have had the probe
+    for (const auto& frame : {m_player.frame(), m_player.newest()})
+        if (frame)
+            for (const Layout::Probe& probe : frame->layout->probes)
+                if (probe.id == std::uint32_t(id))
+                    return QString::fromStdString(probe.unit);
     return {};
 }
 

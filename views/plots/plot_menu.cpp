@@ -38,9 +38,12 @@ QAction* addChoice(QMenu& menu, PlotPanel& panel, const QString& text, bool chec
 
 } // namespace
 
-void PlotPanel::showMenu(const QPoint& place)
+void PlotPanel::showMenu(const QPoint& place) { contextMenu()->exec(place); }
+
+std::unique_ptr<QMenu> PlotPanel::contextMenu()
 {
-    QMenu menu(this);
+    auto made = std::make_unique<QMenu>(this);
+    QMenu& menu = *made;
     menu.setToolTipsVisible(true);
     QAction* follow = menu.addAction(tr("Follow the run"), &chart(), &Chart::follow);
     follow->setEnabled(!chart().follows());
@@ -55,7 +58,7 @@ void PlotPanel::showMenu(const QPoint& place)
     menu.addAction(icon(QStringLiteral("delete")), tr("Clear"), this, &PlotPanel::clear);
     QAction* forget = menu.addAction(tr("Clear earlier runs"), this, &PlotPanel::forgetEarlier);
     forget->setEnabled(!m_earlier.empty());
-    menu.exec(place);
+    return made;
 }
 
 void PlotPanel::addWays(QMenu& menu)
@@ -136,11 +139,16 @@ void PlotPanel::rename()
 
 void PlotPanel::addOutput(QMenu& menu)
 {
-    menu.addAction(icon(QStringLiteral("table")), tr("Save as CSV\u2026"), this,
-                   &PlotPanel::saveCsv);
+    QAction* save = menu.addAction(icon(QStringLiteral("table")), tr("Save as CSV\u2026"), this,
+                                   &PlotPanel::saveCsv);
     menu.addAction(icon(QStringLiteral("picture")), tr("Save picture\u2026"), this,
                    &PlotPanel::savePicture);
-    menu.addAction(tr("Copy the table"), this, &PlotPanel::copyTable);
+    QAction* copy = menu.addAction(tr("Copy the table"), this, &PlotPanel::copyTable);
+    for (QAction* table : {save, copy}) {
+        table->setEnabled(hasValues());
+        if (!table->isEnabled())
+            table->setToolTip(tr("There is no value to write: what is plotted has read nothing."));
+    }
     menu.addAction(tr("Copy the picture"), this, [this] {
         QGuiApplication::clipboard()->setPixmap(pictureOf(view().plotInSight()));
     });

@@ -28,9 +28,11 @@
 #include <QStackedWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <qcustomplot.h>
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 namespace ripstop {
@@ -71,8 +73,17 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     , m_list(new QTreeWidget)
     , m_panels(new QSplitter)
     , m_pastFinder(
-          [this](const PastWish& wish) { return findPast(wish, m_isOver); },
+          [this](const PastWish& wish) {
+              return findPast(wish, [this](double) { return !m_isOver; });
+          },
           [this] { QMetaObject::invokeMethod(this, &PlotPanel::takePast, Qt::QueuedConnection); })
+    , m_reader(
+          [this](const PastWish& wish) {
+              return findPast(wish, [&](double) { return !m_isOver && m_reading == wish.number; });
+          },
+          [this] {
+              QMetaObject::invokeMethod(this, &PlotPanel::takeReading, Qt::QueuedConnection);
+          })
 {
     layOut();
     m_redraw.setSingleShot(true);
@@ -140,6 +151,8 @@ void PlotPanel::refresh()
         rebuildViews();
         rebuildList();
         askPast();
+        if (m_isReading)
+            readPlayed();
     }
     m_pages->setCurrentIndex(m_probes.empty() ? 1 : 0);
 }
@@ -167,6 +180,7 @@ void PlotPanel::rebuildViews()
         m_views[i]->setTitle(m_plots.empty()               ? PlotView::Title::Hidden
                              : count > 1 && i == m_current ? PlotView::Title::Current
                                                            : PlotView::Title::Shown);
+        m_views[i]->setLack(lackOf(*m_views[i]));
     }
     giveEarlier();
     giveMarks();
@@ -262,8 +276,7 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
         return showPast(*frame);
     for (PlotView* view : m_views)
         view->chart().setCursor({});
-    if (std::exchange(m_played, nullptr))
-        giveMarks();
+    leavePlayed();
     if (frame->run != m_history.run())
         keepRun();
     m_history.add(*frame);
@@ -275,13 +288,17 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
     drawSoon();
 }
 
-// While the user looks back, the curves stay and a line shows the instant that is looked at; only a
-// recording that is certified brings curves of its own.
+// While the user looks back at the run that goes on, the curves stay and a line shows the instant
+// that is looked at; another recording brings its own curves.
 void PlotPanel::showPast(const Frame& frame)
 {
     for (PlotView* view : m_views)
         view->chart().setCursor(frame.time);
     takePlayed(frame);
+    if (frame.layout != m_layout) {
+        m_layout = frame.layout;
+        rebuildViews(); // no frame of a run may have come yet that says the units
+    }
     drawSoon();
 }
 
@@ -297,17 +314,23 @@ void PlotPanel::drawSoon()
 
 void PlotPanel::catchUp()
 {
+    while (isReading()) {
+        std::this_thread::yield();
+        takeReading();
+    }
     if (!m_redraw.isActive())
         return;
     m_redraw.stop();
     draw();
+    for (const PlotView* view : m_views)
+        view->plotInSight().replot(); // which draw() leaves to the event loop
 }
 
 void PlotPanel::draw()
 {
     m_bands.match(shownHistory());
     for (PlotView* view : m_views)
-        view->draw(shownHistory(), shownBands(), m_earlier);
+        view->draw(shownHistory(), shownBands(), shownEarlier());
     showValues();
 }
 
@@ -334,7 +357,7 @@ void PlotPanel::forgetEarlier()
 void PlotPanel::giveEarlier()
 {
     for (PlotView* view : m_views)
-        view->chart().setEarlier(m_earlier);
+        view->chart().setEarlier(shownEarlier());
 }
 
 void PlotPanel::follow(const Recordings& recordings)
@@ -347,6 +370,8 @@ void PlotPanel::follow(const Recordings& recordings)
     connect(&recordings, &Recordings::grew, this, [this] { takeEvents(*m_recordings); });
     connect(&recordings, &Recordings::listChanged, this, takeAll);
     connect(&recordings, &Recordings::certified, this, &PlotPanel::takeCertificates);
+    if (m_player.isLookingBack())
+        showPast(*m_player.frame());
 }
 
 void PlotPanel::takeEvents(const Recordings& recordings)

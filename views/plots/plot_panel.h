@@ -6,9 +6,13 @@
 // are cleared. Panels that the scene keeps are changed by edits, so that undo covers them; the
 // panel that belongs to no Plot is changed in place.
 //
-// It is a widget: only the window's thread uses it. Five sources share it: plot_panel.cpp, the
-// context menu in plot_menu.cpp, the edits of panels in plot_arrangement.cpp, the bands of
-// certificates in plot_bands.cpp, and the past of new probes in plot_past.cpp.
+// While a recording is looked back at that is not of the run that goes on, the curves are those of
+// that recording, and the run is one of the thin ones.
+//
+// It is a widget: only the window's thread uses it. Seven sources share it: plot_panel.cpp, the
+// list in plot_list.cpp, the context menu in plot_menu.cpp, the edits of panels in
+// plot_arrangement.cpp, the bands of certificates in plot_bands.cpp, the past of new probes in
+// plot_past.cpp, and recordings that are looked back at in plot_played.cpp.
 #pragma once
 
 #include "document/worker.h"
@@ -75,6 +79,8 @@ public:
 
     // The curves that the chosen panel draws: a header with units, a row for each sample.
     void writeCsv(QIODevice& device, char separator = ',') const;
+    bool hasValues() const; // that would be in that table
+    std::unique_ptr<QMenu> contextMenu();
 
 signals:
     void said(const QString& words); // for the status bar
@@ -104,8 +110,6 @@ private:
 
     // certificates (plot_bands.cpp)
     void takeCertificates();
-    void takePlayed(const Frame& frame);
-    const History& shownHistory() const { return m_played ? m_playedHistory : m_history; }
     const ErrorBands* shownBands() const { return m_wantsBands ? &m_bands : nullptr; }
     QString errorText(std::uint32_t probe, std::optional<double> time) const;
     void addBands(QMenu& menu);
@@ -115,17 +119,31 @@ private:
     {
         std::shared_ptr<const Recording> recording;
         std::vector<Entry> probes;
+        int number = 0; // of the reading of a recording that is looked back at
     };
     struct PastFound
     {
         std::uint64_t run = 0;
+        int number = 0; // of the wish
         std::vector<Layout::Probe> probes;
         ProbePast past;
     };
-    static PastFound findPast(const PastWish& wish, const std::atomic<bool>& isOver);
+    static PastFound findPast(const PastWish& wish, const Progress& progress);
     void askPast();
     void takePast();
     QString nameOf(const Entry& probe) const; // and since when it is known, if not from the start
+
+    // a recording that is looked back at (plot_played.cpp)
+    const History& shownHistory() const { return m_played ? m_playedHistory : m_history; }
+    std::vector<EarlierRun> shownEarlier() const; // the other runs, drawn thin
+    void takePlayed(const Frame& frame);
+    void leavePlayed();
+    void fillPlayed(const Certificate& certificate, const Frame& frame);
+    void readPlayed();
+    void takeReading();
+    bool isReading() const { return m_isReading && m_playedHistory.time().empty(); }
+    void noteTears();                           // of the recording
+    QString lackOf(const PlotView& view) const; // why it has no curve, or empty
 
     // the list of probes (plot_list.cpp)
     void rebuildList();
@@ -165,16 +183,21 @@ private:
     std::map<std::uint64_t, std::vector<Entry>> m_pastAsked; // by run: probes that were asked for
     ErrorBands m_bands;
     bool m_wantsBands = true;
-    // The certified recording that is looked back at, with its values; null: none is.
-    std::shared_ptr<const Certificate> m_played;
+    // The recording that is looked back at, unless it is of the run that goes on; null: none is.
+    std::shared_ptr<const Recording> m_played;
+    std::shared_ptr<const Certificate> m_playedCertificate; // of it; null: it has none
     History m_playedHistory;
+    std::optional<EarlierRun> m_left; // the run that goes on, meanwhile, where it has curves
+    bool m_isReading = false;         // m_playedHistory comes from the recording
 
     QStackedWidget* m_pages;
     QTreeWidget* m_list;
     QSplitter* m_panels;
 
     std::atomic<bool> m_isOver = false;
-    Worker<PastWish, PastFound> m_pastFinder; // last: it ends before what it uses
+    std::atomic<int> m_reading = 0;           // number of the newest; earlier ones end early
+    Worker<PastWish, PastFound> m_pastFinder; // last: these end before what they use
+    Worker<PastWish, PastFound> m_reader;
 };
 
 } // namespace ripstop

@@ -10,11 +10,12 @@
 
 namespace ripstop {
 
-PlotPanel::PastFound PlotPanel::findPast(const PastWish& wish, const std::atomic<bool>& isOver)
+PlotPanel::PastFound PlotPanel::findPast(const PastWish& wish, const Progress& progress)
 {
     PastFound found;
     found.run = wish.recording->run();
-    found.past = probePast(*wish.recording, wish.probes, [&](double) { return !isOver; });
+    found.number = wish.number;
+    found.past = probePast(*wish.recording, wish.probes, progress);
     for (const Entry& probe : wish.probes)
         found.probes.push_back(
             {std::uint32_t(probe.id), std::get<Probe>(probe.item).name, {}, true});
@@ -65,6 +66,8 @@ void PlotPanel::takePast()
             auto filled = std::make_shared<History>(*run.history);
             fill(*filled);
             run.history = std::move(filled);
+            if (m_played && m_played->run() == found->run && !m_isReading && !m_playedCertificate)
+                m_playedHistory = *run.history;
         }
     rebuildViews(); // names may say since when, and earlier runs have other curves
     askPast();
@@ -73,7 +76,7 @@ void PlotPanel::takePast()
 QString PlotPanel::nameOf(const Entry& probe) const
 {
     const QString name = QString::fromStdString(std::get<Probe>(probe.item).name);
-    const auto since = m_history.joined(std::uint32_t(probe.id));
+    const auto since = shownHistory().joined(std::uint32_t(probe.id));
     return since ? tr("%1, known from %2 on").arg(name, spokenText(*since, "s")) : name;
 }
 

@@ -97,12 +97,19 @@ void PlotView::setPlot(const Plot& plot, std::vector<Curve> curves, const AxisWo
     showPage();
 }
 
+void PlotView::setLack(const QString& why)
+{
+    m_lack = why;
+    showPage();
+}
+
 void PlotView::showPage()
 {
     const bool lacksProbe = m_plot.axis == PlotAxis::Probe && m_across.name.isEmpty();
     m_hint->setText(lacksProbe ? tr("Choose the probe that the curves are against: right click.")
-                               : tr("Tick a probe to plot it."));
-    m_pages->setCurrentIndex(curves().empty() || lacksProbe  ? Hint
+                    : curves().empty() ? tr("Tick a probe to plot it.")
+                                       : m_lack);
+    m_pages->setCurrentIndex(!m_hint->text().isEmpty()       ? Hint
                              : m_plot.axis == PlotAxis::Time ? OverTime
                                                              : Across);
 }

@@ -24,6 +24,9 @@ public:
     const Plot& plot() const { return m_plot; }
     const std::vector<Curve>& curves() const { return m_chart->curves(); }
 
+    // Why there is nothing to draw, said in place of the curves; empty where there is something.
+    void setLack(const QString& why);
+
     enum class Title { Hidden, Shown, Current }; // the list and the menu are about the current one
     void setTitle(Title title);
 
@@ -54,6 +57,7 @@ private:
 
     Plot m_plot;
     AxisWords m_across;
+    QString m_lack;
     Title m_title = Title::Hidden;
     QWidget* m_bar;
     QLabel* m_name;
