@@ -4,14 +4,15 @@
 // Stages: questions such as --help are answered without a window; then the surface format is set,
 // which VTK needs before the application exists; then language, arguments and theme; then whether
 // there is a display with OpenGL; then the scene and what is to be selected. A mistake ends the
-// program with a sentence and an exit code of docs/command-line.md before a window appears.
-// Document, selection, player and window stand on the stack in this order, so that the window goes
-// first. What asks questions of its own (kept work, a mesh, an action) is queued until the event
-// loop runs.
+// program with a sentence and an exit code of docs/command-line.md before a window appears. A
+// recording is read with its design then, and shown once the window is there. Document, selection,
+// player and window stand on the stack in this order, so that the window goes first. What asks
+// questions of its own (kept work, a mesh, an action) is queued until the event loop runs.
 #include "base/program_version.h"
 #include "document/document.h"
 #include "document/measurement.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "document/rescue.h"
 #include "document/selection.h"
 #include "document/words.h"
@@ -25,6 +26,7 @@
 #include "editor/window_host.h"
 #include "files/arrivals.h"
 #include "files/kept_work.h"
+#include "files/run_files.h"
 #include "icons/icon.h"
 #include "language/language.h"
 #include "look/scene_frame.h"
@@ -88,6 +90,24 @@ std::optional<Failure> openSceneOfStudy(Document& document, const QString& file)
     return document.open(QString::fromStdString((study->folder / study->scene).string()));
 }
 
+// Opens what is named on the command line, if anything is; of a recording its design, as the
+// recording itself needs a window to be shown in.
+std::optional<Failure> openNamed(Document& document, const QString& file,
+                                 std::optional<OpenedRecording>& recording)
+{
+    if (file.isEmpty())
+        return std::nullopt;
+    if (StudyPanel::isStudy(file))
+        return openSceneOfStudy(document, file);
+    if (!RunFiles::isRecording(file))
+        return document.open(file);
+    auto opened = RunFiles::openDesign(document, file);
+    if (!opened)
+        return opened.failure();
+    recording = std::move(*opened);
+    return std::nullopt;
+}
+
 // Whether the command line only asks what needs no window. Such questions are answered also where
 // no window can be opened.
 bool asksOnly(int argc, char** argv)
@@ -145,11 +165,9 @@ int main(int argc, char** argv)
     }
 
     Document document;
-    const bool isStudy = StudyPanel::isStudy(options->scene);
-    if (!options->scene.isEmpty())
-        if (const auto failure = isStudy ? openSceneOfStudy(document, options->scene)
-                                         : document.open(options->scene))
-            return refuse(translated(failure->message), 1);
+    std::optional<OpenedRecording> recording;
+    if (const auto failure = openNamed(document, options->scene, recording))
+        return refuse(translated(failure->message), 1);
     if (!options->fit.isEmpty() && itemCalled(options->fit, document.scene()).empty())
         return refuse(QString("no item of the scene is called \"%1\"").arg(options->fit), 1);
     const Result<std::vector<Id>> selected = meant(options->select, document.scene());
@@ -164,11 +182,13 @@ int main(int argc, char** argv)
         window.resize(*options->size);
     if (!options->scene.isEmpty())
         window.showScene();
-    if (isStudy)
+    if (StudyPanel::isStudy(options->scene))
         window.openStudy(options->scene);
     if (options->viewOnly)
         window.showViewOnly();
     window.viewport().setColorBy(options->colorBy);
+    if (recording)
+        window.docks().show("timeline");
     for (const QString& dock : options->docks)
         if (!window.docks().show(dock))
             return refuse(QString("no panel is called \"%1\"").arg(dock), 1);
@@ -179,10 +199,19 @@ int main(int argc, char** argv)
         host.window().keptWork().leave();
         QApplication::exit(128 + signal);
     });
+    if (recording) // queued, because it may have to be said that it is damaged
+        QMetaObject::invokeMethod(
+            &host,
+            [&] {
+                host.window().runFiles().show(*recording, options->scene);
+                if (stays && options->play)
+                    host.window().recordings().play();
+            },
+            Qt::QueuedConnection);
     std::optional<Screenshot> screenshot;
     if (!stays)
         screenshot.emplace(*options, itemCalled(options->fit, document.scene()), window, player);
-    else if (options->play)
+    else if (options->play && !recording)
         player.play();
     if (stays)
         QMetaObject::invokeMethod(

@@ -51,7 +51,8 @@ public:
         addVersionOption();
         addPositionalArgument(
             "scene",
-            words("Scene file to open (*.ripstop.json), or a mesh to import (*.obj, *.stl, ...)."),
+            words("Scene to open (*.ripstop.json), recording to look back at (*.ripstop-run), or "
+                  "mesh to import (*.obj, *.stl, ...)."),
             "[SCENE]");
     }
 };

@@ -21,7 +21,7 @@ namespace ripstop {
 
 struct Options
 {
-    QString scene;      // empty for the start page
+    QString scene;      // or a recording or a study; empty for the start page
     QString mesh;       // file of a mesh that is imported in place of a scene
     bool play = false;  // whether the run starts at once
     QString screenshot; // file of the picture; when it is empty the window stays open

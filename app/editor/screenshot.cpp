@@ -8,7 +8,9 @@
 
 #include "base/hash_text.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "editor/main_window.h"
+#include "files/run_files.h"
 #include "files/view_picture.h"
 #include "import/import_dialog.h"
 #include "viewport/viewport.h"
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -38,6 +41,7 @@ Screenshot::Screenshot(const Options& options, std::vector<Id> fitted, MainWindo
     , m_fitted(std::move(fitted))
     , m_window(window)
     , m_player(player)
+    , m_isRecording(RunFiles::isRecording(options.scene))
 {
     connect(&m_timer, &QTimer::timeout, this, &Screenshot::goOn);
     connect(&m_player, &Player::stopped, this, [this](const QString& why) {
@@ -58,8 +62,10 @@ void Screenshot::goOn()
         return saveWithDialog();
     if (!m_options.action.isEmpty() && m_slice == 0 && ++m_waited < openingTurns)
         return;
-    if (++m_settling < settlingTurns)
+    if ((m_isRecording && !lookBack()) || ++m_settling < settlingTurns)
         return;
+    if (m_isRecording)
+        return save();
     const int perPicture = std::max(1, slicesPerPicture / m_options.frames);
     const int slices = m_options.after > 0.0 ? perPicture * (m_picture + 1) : 0;
     if (m_slice < slices) {
@@ -70,8 +76,23 @@ void Screenshot::goOn()
     save();
 }
 
+// The recording is shown by the event loop, and its frames are unpacked by another thread.
+bool Screenshot::lookBack()
+{
+    Recordings& recordings = m_window.recordings();
+    if (!recordings.current())
+        return false;
+    if (!std::exchange(m_sought, true)) {
+        recordings.seekTime(m_options.after * (m_picture + 1) / m_options.frames);
+        m_settling = 0;
+    }
+    return recordings.isLookingBack()
+           && m_player.frame()->step == recordings.current()->stepOf(recordings.frame());
+}
+
 void Screenshot::save()
 {
+    m_sought = false;
     QString file = m_options.screenshot;
     if (m_options.frames > 1 || file.contains("%1"))
         file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))

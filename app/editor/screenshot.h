@@ -1,6 +1,7 @@
 // Takes the pictures that the command line asked for, and ends the program.
 //
-// It flies the scene as fast as it can to each of the times, waits until docks, view and dialogs
+// It flies the scene as fast as it can to each of the times, or looks back at a recording there,
+// waits until docks, view and dialogs
 // have their sizes, and saves the window, the view alone, or the window with the dialog of an
 // action over it. main() makes it when --screenshot is given; it lives on the thread of the window
 // and works from a timer. It ends the program with exit code 0 when all are saved, 1 when a file
@@ -31,6 +32,7 @@ public:
 
 private:
     void goOn();
+    bool lookBack(); // false until it does, at the time of the next picture
     void save();
     QPixmap grabWindow(); // as it is at this moment
     bool writeView(const QString& file);
@@ -43,6 +45,8 @@ private:
     MainWindow& m_window;
     Player& m_player;
     QTimer m_timer;
+    bool m_isRecording;
+    bool m_sought = false;
     int m_slice = 0;   // of the flight, counted from 0; the plots get a sample at the end of each
     int m_picture = 0; // number of the next to be taken
     int m_settling = 0;

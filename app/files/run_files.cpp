@@ -1,4 +1,4 @@
-// Stages: open() reads the file with a progress bar, warns of damage, and asks by mayShow()
+// Stages: open() reads the file with a progress bar; show() warns of damage, and asks by mayShow()
 // whether the design of the recording is to be opened when it is another one, before the recording
 // is added to the timeline. save() writes the current run under a suggested name. The memory that
 // a run may take is asked for, kept in the settings, and given to the recordings; it holds from
@@ -11,7 +11,6 @@
 #include "document/recordings.h"
 #include "document/words.h"
 #include "files/files.h"
-#include "io/recording_file.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -29,6 +28,12 @@ namespace {
 constexpr auto memoryKey = "recording/memory"; // MB
 constexpr int usualMemory = 512;               // MB
 
+QString titleOf(const Scene& scene, const QString& file)
+{
+    const QString title = QString::fromStdString(scene.settings.title);
+    return title.isEmpty() ? QFileInfo(file).completeBaseName() : title;
+}
+
 QString filter() { return RunFiles::tr("Recordings (*.ripstop-run);;All files (*)"); }
 
 } // namespace
@@ -44,6 +49,17 @@ RunFiles::RunFiles(Document& document, Recordings& recordings, Files& files, QWi
 bool RunFiles::isRecording(const QString& file)
 {
     return file.endsWith(QLatin1String(recordingExtension.data()), Qt::CaseInsensitive);
+}
+
+Result<OpenedRecording> RunFiles::openDesign(Document& document, const QString& file)
+{
+    auto opened = openRecording(pathOf(file));
+    if (opened) {
+        Scene scene = opened->recording->scene();
+        const QString title = titleOf(scene, file);
+        document.replace(std::move(scene), title);
+    }
+    return opened;
 }
 
 void RunFiles::browse()
@@ -68,8 +84,13 @@ void RunFiles::open(const QString& file)
                                  translated(opened->message()));
         return;
     }
-    const std::shared_ptr<Recording> recording = (*opened)->recording;
-    const QString damage = translated((*opened)->damage);
+    show(**opened, file);
+}
+
+void RunFiles::show(const OpenedRecording& opened, const QString& file)
+{
+    const std::shared_ptr<Recording> recording = opened.recording;
+    const QString damage = translated(opened.damage);
     if (!damage.isEmpty())
         QMessageBox::warning(&m_window, tr("The recording is damaged"), damage);
     if (!mayShow(*recording, file))
@@ -102,9 +123,8 @@ bool RunFiles::mayShow(const Recording& recording, const QString& file)
         if (box.clickedButton() != open || !m_files.mayDiscard())
             return false;
     }
-    const QString title = QString::fromStdString(scene.settings.title);
-    m_document.replace(std::move(scene),
-                       title.isEmpty() ? QFileInfo(file).completeBaseName() : title);
+    const QString title = titleOf(scene, file);
+    m_document.replace(std::move(scene), title);
     emit m_files.opened();
     return true;
 }

@@ -7,6 +7,8 @@
 // is a setting in MB.
 #pragma once
 
+#include "io/recording_file.h"
+
 #include <QObject>
 #include <QString>
 
@@ -29,9 +31,13 @@ public:
     RunFiles(Document& document, Recordings& recordings, Files& files, QWidget& window);
 
     static bool isRecording(const QString& file);
+    // Reads a recording and opens its design, where there is no window yet to show it in.
+    static Result<OpenedRecording> openDesign(Document& document, const QString& file);
 
     void browse();
     void open(const QString& file);
+    // What has been read from that file; asks where its design is not the one that is open.
+    void show(const OpenedRecording& opened, const QString& file);
     void save(); // saves the current run
     void askForMemory();
     void restoreMemory(); // as it was set in an earlier session

@@ -5785,8 +5785,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
-        <source>Scene file to open (*.ripstop.json), or a mesh to import (*.obj, *.stl, ...).</source>
-        <translation>Fichier de scène à ouvrir (*.ripstop.json), ou maillage à importer (*.obj, *.stl, ...).</translation>
+        <source>Scene to open (*.ripstop.json), recording to look back at (*.ripstop-run), or mesh to import (*.obj, *.stl, ...).</source>
+        <translation>Scène à ouvrir (*.ripstop.json), enregistrement à revoir (*.ripstop-run), ou maillage à importer (*.obj, *.stl, ...).</translation>
     </message>
     <message>
         <location filename="options.cpp"/>

@@ -251,6 +251,25 @@ private slots:
         QCOMPARE(image.size(), QSize(900, 600));
     }
 
+    // What the program has recorded is opened as it is from the menu, and looked back at.
+    void opensARecordingFromTheCommandLine()
+    {
+        const QTemporaryDir folder;
+        const QString recording = folder.filePath("rope.ripstop-run");
+        const Finished flown = run(CLI_PROGRAM, {"run", samples + "rope.ripstop.json", "--seconds",
+                                                 "0.5", "--record", recording, "--json"});
+        QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
+        const QString hash =
+            QJsonDocument::fromJson(flown.output.toUtf8()).object()["hash"].toString();
+        QVERIFY(!hash.isEmpty());
+        const QString picture = folder.filePath("rope.png");
+        const Finished done = run(EDITOR_PROGRAM, {recording, "--screenshot", picture, "--after",
+                                                   "0.5", "--dock", "plots", "--size", "900x600"});
+        QVERIFY2(done.exitCode == 0, qPrintable(done.error));
+        QVERIFY2(done.output.contains(hash), qPrintable(done.output + hash));
+        QCOMPARE(QImage(picture).size(), QSize(900, 600));
+    }
+
     void takesPicturesForPapersFromTheCommandLine()
     {
         QTemporaryDir folder;
@@ -359,6 +378,8 @@ private slots:
             << QStringList{"nowhere.ripstop.json"} << 1 << QString("nowhere.ripstop.json");
         QTest::newRow("not a scene")
             << QStringList{SOURCE_DIR "/LICENSE"} << 1 << QString("LICENSE");
+        QTest::newRow("no such recording")
+            << QStringList{"nowhere.ripstop-run"} << 1 << QString("nowhere.ripstop-run");
         QTest::newRow("bad time") << QStringList{"--after", "soon"} << 2 << QString("--after");
         QTest::newRow("bad size") << QStringList{"--size", "big"} << 2 << QString("--size");
         QTest::newRow("bad width")
