@@ -238,6 +238,29 @@ private slots:
         QCOMPARE(*desk.plots.view().valueRange(), std::pair(-2.0, 20.0));
     }
 
+    // After a reset there is one sample, of 10 m; what is drawn of the run before, which fell by
+    // g t^2 / 2, is in sight with it.
+    void earlierRunsAreInTheRange()
+    {
+        Desk desk;
+        Plot plot = desk.plots.view().plot();
+        plot.probes = {Id{8}};
+        desk.plots.keepPlot();
+        desk.plots.change(plot);
+        desk.fly(0.4);
+        desk.player.reset();
+        QTRY_COMPARE(desk.plots.history().time().size(), std::size_t(1));
+        QCOMPARE(desk.plots.earlier().size(), std::size_t(1));
+        const double lowest = desk.plots.earlier()[0].history->valuesOf(8).back();
+        QVERIFY(lowest < 9.3);
+        const auto range = [&] { return *desk.plots.view().valueRange(); };
+        desk.plots.catchUp();
+        QVERIFY2(range().first < lowest && range().second > 10.0,
+                 qPrintable(QString("%1 to %2").arg(range().first).arg(range().second)));
+        desk.plots.forgetEarlier();
+        QTRY_VERIFY(range().first > 9.9); // it is of the one sample again
+    }
+
     // A spike of one sample among a million is drawn, with few points; gaps stay gaps.
     void peaksAreDrawn()
     {

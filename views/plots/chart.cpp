@@ -242,7 +242,7 @@ void Chart::fill(Strip& strip)
     auto graph = strip.past.begin();
     for (const EarlierRun& run : m_earlier)
         for (const int curve : strip.curves)
-            show(**graph++, *run.history, curve);
+            strip.inSight.span(show(**graph++, *run.history, curve));
 }
 
 void Chart::fillBands(Strip& strip, const TimeWindow& window)
