@@ -67,6 +67,24 @@ QStringList probesNamed(PlotView& view, const QString& name)
 
 using Ids = std::vector<std::uint32_t>;
 
+// The legend of a chart of one strip.
+struct LegendSeen
+{
+    int named = 0;  // curves
+    int others = 0; // places that name none
+    int width = 0;  // px, that it needs
+
+    explicit LegendSeen(Chart& chart)
+    {
+        const auto& grid = *chart.plot().plotLayout();
+        auto& legend = *qobject_cast<QCPLegend*>(grid.element(0, 0));
+        for (int i = 0; i < legend.itemCount(); ++i)
+            if (legend.item(i)) // the last line need not be full
+                ++(qobject_cast<QCPPlottableLegendItem*>(legend.item(i)) ? named : others);
+        width = legend.minimumOuterSizeHint().width();
+    }
+};
+
 } // namespace
 
 class TestPlots : public QObject
@@ -259,6 +277,67 @@ private slots:
                  qPrintable(QString("%1 to %2").arg(range().first).arg(range().second)));
         desk.plots.forgetEarlier();
         QTRY_VERIFY(range().first > 9.9); // it is of the one sample again
+    }
+
+    void namesInTheLegend_data()
+    {
+        QTest::addColumn<QStringList>("names");
+        QTest::addColumn<int>("width"); // px
+        QTest::addColumn<int>("named");
+        const QString longName(120, 'x');
+        QStringList ten;
+        for (int i = 0; i < 10; ++i)
+            ten << QString("energy of the part that has number %1").arg(i);
+        QTest::newRow("all have room") << QStringList{"height", "speed"} << 600 << 2;
+        QTest::newRow("one that is long") << QStringList{longName} << 300 << 1;
+        QTest::newRow("one is long") << QStringList{"height", longName, "speed"} << 600 << 3;
+        QTest::newRow("all are long") << QStringList{longName, longName, longName} << 400 << 3;
+        QTest::newRow("ten in a wide panel") << ten << 900 << 10;
+        QTest::newRow("two in a narrow one") << QStringList{longName, "speed"} << 200 << 2;
+    }
+
+    // Each curve that has room for a swatch and some letters keeps its place in the legend, which
+    // is no wider than the chart; a name that is short is not shortened for one that is long.
+    void namesInTheLegend()
+    {
+        QFETCH(QStringList, names);
+        QFETCH(int, width);
+        QFETCH(int, named);
+        Chart chart;
+        chart.resize(width, 240);
+        std::vector<Curve> curves;
+        for (int i = 0; i < names.size(); ++i)
+            curves.push_back({std::uint32_t(i + 1), names[i], "m", Qt::blue});
+        chart.setCurves(curves);
+        chart.show();
+        QCoreApplication::processEvents();
+        const LegendSeen seen(chart);
+        QCOMPARE(seen.named, named);
+        QCOMPARE(seen.others, 0);
+        QVERIFY2(seen.width <= width, qPrintable(QString::number(seen.width)));
+    }
+
+    // Of sixty curves those that have room are named, and the last place says how many are not.
+    void namesWithoutRoom()
+    {
+        std::vector<Curve> curves;
+        for (int i = 0; i < 60; ++i)
+            curves.push_back(
+                {std::uint32_t(i + 1), QString("tension of line %1").arg(i), "N", Qt::blue});
+        Chart chart;
+        chart.setCurves(curves);
+        chart.show();
+        int before = 60;
+        for (const int width : {800, 400, 200}) {
+            chart.resize(width, 240);
+            QCoreApplication::processEvents();
+            QCOMPARE(chart.width(), width); // the names do not hold it
+            const LegendSeen seen(chart);
+            QVERIFY(seen.named > 0 && seen.named < before);
+            QCOMPARE(seen.others, 1);
+            QVERIFY2(seen.width <= width, qPrintable(QString::number(seen.width)));
+            before = seen.named;
+        }
     }
 
     // A spike of one sample among a million is drawn, with few points; gaps stay gaps.

@@ -12,6 +12,7 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t many = 12;   // curves, above which fine lines are drawn faster
+constexpr int roomy = 120;         // px, of a strip, where a second line of names has room
 constexpr int lastStripExtra = 28; // px, for the numbers of the time axis
 
 } // namespace
@@ -74,7 +75,8 @@ void Chart::fitLegend(const Strip& strip)
         curves.push_back(m_graphs[std::size_t(curve)]);
     if (strip.showsBands)
         curves.push_back(strip.bands.front().high); // it says it for all
-    ripstop::fitLegend(*strip.legend, curves, width(), 1);
+    const int rows = height() < roomy * int(m_strips.size()) ? 1 : 2;
+    ripstop::fitLegend(*strip.legend, curves, width(), rows);
 }
 
 void Chart::resizeEvent(QResizeEvent* event)

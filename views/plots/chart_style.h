@@ -24,7 +24,8 @@ QString withUnit(const QString& name, const QString& unit); // "height (m)"
 void styleAxis(QCPAxis& axis, const QWidget& chart);
 void styleLegend(QCPLegend& legend, const QWidget& chart);
 // Fills the legend with the names of the curves, in as many columns as the width, px, has room for.
-// When they need more rows than `rows`, the last place says how many names are left out.
+// When they need more rows than `rows`, long names are shortened; when even those have no room, the
+// last place says how many names are left out, which is never all of them.
 void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curves, int width,
                int rows);
 
