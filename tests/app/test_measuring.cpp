@@ -41,6 +41,9 @@ private slots:
                      QString("position y  %1%2m")
                          .arg(QLocale().toString(row->position.y(), 'g', 4))
                          .arg(QChar(0x00a0)));
+        shop.document.push(setValue(shop.document.scene(), probe, "name", std::string("tip")));
+        QVERIFY(labels->linesOf(corner).join("").startsWith("tip  ")); // at once
+        shop.document.history().undo();
         shop.document.history().undo();
         QVERIFY(!findItem<Probe>(shop.document.scene(), probe));
     }

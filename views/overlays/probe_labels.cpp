@@ -98,7 +98,9 @@ QStringList ProbeLabels::linesOf(Id target) const
         const double value = m_frame->probe[std::size_t(row - probes.begin())];
         const auto* probe = findItem<Probe>(m_document.scene(), id);
         const Quantity quantity = probe ? probe->quantity : Quantity::Formula;
-        lines << QString::fromStdString(row->name) + "  " + readingText(quantity, value, row->unit);
+        // another name makes no other system, so that frames may have the one of before
+        const std::string& name = probe ? probe->name : row->name;
+        lines << QString::fromStdString(name) + "  " + readingText(quantity, value, row->unit);
     }
     return lines;
 }

@@ -2,6 +2,7 @@
 //
 // Probes of one target share a card; those of the whole scene have one in the upper left corner.
 // Values are those of the frame, in the units of its layout; a value that is not known is a dash.
+// Names are those of the scene.
 // It is a transparent widget over the view that takes no mouse.
 #pragma once
 
