@@ -16,6 +16,7 @@
 #include "small_scenes.h"
 #include "thread_time.h"
 #include "views/run_with_widgets.h"
+#include "views/tuning_desk.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -27,6 +28,8 @@
 
 namespace ripstop::test_tuning {
 
+using Desk = TuningDesk;
+
 namespace {
 
 const Property& stiffness = *findProperty(Kind::Material, "stiffness");
@@ -34,51 +37,6 @@ const Property& compliance = *findProperty(Kind::Material, "compliance");
 const Property& mass = *findProperty(Kind::Particle, "mass");
 const Property& limit = *findProperty(Kind::Control, "limit");
 constexpr Id threadId{9}, control{14};
-
-// The panel beside the inspector, over one of everything, remembering nothing.
-struct Desk
-{
-    Document document;
-    Selection selection{document};
-    Inspector inspector{document, selection};
-    TuningPanel panel{document, selection, inspector.sliders()};
-
-    Desk()
-    {
-        inspector.sliders().remember(false);
-        document.replace(oneOfEverything());
-        panel.resize(300, 600);
-        panel.show();
-        QApplication::setActiveWindow(&panel); // Xvfb has no window manager to do it
-    }
-
-    TuningRow* add(const Property& property, std::vector<Id> ids)
-    {
-        if (inspector.sliders().toggle(property, ids))
-            return nullptr;
-        QApplication::processEvents(); // it is shown
-        for (TuningRow* row : panel.findChildren<TuningRow*>())
-            if (row->slider().property == &property && row->slider().ids == ids)
-                return row;
-        return nullptr;
-    }
-    Value value(Id id, const Property& property) const
-    {
-        return property.get(*find(document.scene(), id));
-    }
-    void set(Id id, std::string_view key, Value to)
-    {
-        document.push(setValue(document.scene(), id, key, std::move(to)));
-    }
-    bool says(const QString& words) const
-    {
-        QApplication::processEvents(); // rows that are new are shown
-        const auto labels = panel.findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-            return label->isVisible() && label->text().contains(words);
-        });
-    }
-};
 
 void type(QLineEdit* edit, const QString& text)
 {

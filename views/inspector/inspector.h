@@ -58,9 +58,9 @@ private:
 
     Document& m_document;
     Selection& m_selection;
+    SliderShelf m_sliders;
     Subject m_subject;
     UsageWatch m_usage;
-    SliderShelf m_sliders;
     QLabel* m_icon;
     std::optional<Kind> m_iconKind; // the kind that the icon shows
     QLabel* m_title;

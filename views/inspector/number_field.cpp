@@ -98,10 +98,10 @@ QSlider* slider(const FieldPlace& place)
     return range ? makeSlider(place.subject, place.property, [range] { return *range; }) : nullptr;
 }
 
-void refreshSlider(QSlider* bar, const Property& property, const Common& common)
+void refreshSlider(QSlider* bar, const FieldPlace& place)
 {
     if (bar)
-        showOn(*bar, *property.usual, common);
+        showOn(*bar, *place.property.usual, place.subject, place.property);
 }
 
 QWidget* stacked(QWidget* above, QWidget* below)
@@ -179,7 +179,7 @@ Field numberField(const FieldPlace& place)
                     edit->show({}, inherited(place));
                 else
                     edit->show(said.number);
-                refreshSlider(bar, place.property, common);
+                refreshSlider(bar, place);
             }};
 }
 
@@ -214,7 +214,7 @@ Field vectorField(const FieldPlace& place)
             edit->setUnit(said.unit);
             edit->show(said.number, isMixed ? mixedText() : QString());
         }
-        refreshSlider(bar, place.property, common);
+        refreshSlider(bar, place);
     };
     return field;
 }

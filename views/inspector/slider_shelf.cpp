@@ -68,6 +68,12 @@ SliderShelf::SliderShelf(Document& document, QObject* parent)
     load();
 }
 
+void SliderShelf::takeOver(const SliderShelf& before)
+{
+    m_directions = before.m_directions;
+    take(before.m_sliders);
+}
+
 std::vector<Slider> SliderShelf::sliders() const { return existing(m_document.scene(), m_sliders); }
 
 bool SliderShelf::has(const Property& property, const std::vector<Id>& ids) const
@@ -154,6 +160,7 @@ void SliderShelf::addUsual(const std::vector<Id>& selected)
 void SliderShelf::load()
 {
     m_sliders.clear();
+    m_directions.forget();
     if (m_remembers && !m_document.file().isEmpty()) {
         const QString text = QSettings().value(settingOf(m_document)).toString();
         if (const auto sliders = slidersFromText(text.toStdString()))

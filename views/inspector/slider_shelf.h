@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "inspector/last_directions.h"
 #include "scene/slider.h"
 
 #include <QObject>
@@ -25,7 +26,10 @@ class SliderShelf final : public QObject
 public:
     explicit SliderShelf(Document& document, QObject* parent = nullptr);
 
-    void takeOver(const SliderShelf& before) { take(before.m_sliders); }
+    void takeOver(const SliderShelf& before);
+
+    // All sliders over the scene share them, whether they stand on the shelf or in a form.
+    LastDirections& directions() { return m_directions; }
 
     // The sliders whose things exist now.
     std::vector<Slider> sliders() const;
@@ -56,6 +60,7 @@ private:
 
     Document& m_document;
     std::vector<Slider> m_sliders;
+    LastDirections m_directions;
     bool m_remembers = true;
 };
 

@@ -24,8 +24,9 @@ Transform transformOf(TypedNumber typed, int axis)
     return [typed, axis](const Value& before) { return changed(before, typed, axis); };
 }
 
-Subject::Subject(Document& document)
+Subject::Subject(Document& document, LastDirections& directions)
     : m_document(document)
+    , m_directions(directions)
     , m_ids{settingsId}
 {}
 
@@ -50,6 +51,24 @@ std::vector<Value> Subject::values(const Property& property) const
     for (const ConstRef& ref : refs())
         result.push_back(property.get(ref));
     return result;
+}
+
+std::vector<Vec3> Subject::directions(const Property& property) const
+{
+    std::vector<Vec3> result;
+    result.reserve(m_ids.size());
+    for (const Id id : m_ids)
+        result.push_back(m_directions.of(property, id));
+    return result;
+}
+
+void Subject::noteDirections(const Property& property)
+{
+    if (!std::holds_alternative<Vec3>(property.initial))
+        return;
+    for (const Id id : m_ids)
+        if (const auto ref = find(m_document.scene(), id))
+            m_directions.note(property, id, property.get(*ref));
 }
 
 Common Subject::common(const Property& property, const std::vector<ConstRef>& refs)

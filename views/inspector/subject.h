@@ -7,6 +7,7 @@
 #pragma once
 
 #include "document/census.h"
+#include "inspector/last_directions.h"
 #include "scene/edit.h"
 #include "scene/typed_number.h"
 
@@ -39,7 +40,7 @@ class Subject final : public QObject
     Q_OBJECT
 
 public:
-    explicit Subject(Document& document);
+    Subject(Document& document, LastDirections& directions);
 
     void set(Kind kind, std::vector<Id> ids); // all exist and are of this kind
 
@@ -50,6 +51,10 @@ public:
     std::vector<ConstRef> refs() const;                        // [ids] until the scene changes
     std::vector<Value> values(const Property& property) const; // [ids]
     static Common common(const Property& property, const std::vector<ConstRef>& refs);
+
+    // Where the vectors of the things point, or last did where they are 0; none is 0. [ids]
+    std::vector<Vec3> directions(const Property& property) const;
+    void noteDirections(const Property& property); // as the things have them now
 
     // Why the property of some thing cannot become this, as half a sentence, or nothing.
     std::optional<QString> refusal(const Property& property, const Transform& transform) const;
@@ -72,6 +77,7 @@ private:
     Edit settingOf(const Property& property, std::vector<Value> values) const;
 
     Document& m_document;
+    LastDirections& m_directions;
     Kind m_kind = Kind::Settings;
     std::vector<Id> m_ids;
     const Property* m_picking = nullptr;

@@ -4,8 +4,8 @@
 //
 // numberTransform() makes a change of one double into a change of any value of numbers.
 // makeSlider() makes a slider whose press, move and release are one gesture; vectors keep their
-// direction and change their length. Dragging keeps the values before, and each move is an edit
-// from these.
+// direction and change their length, and have the last direction again on the way back from 0.
+// Dragging keeps the values before, and each move is an edit from these.
 #include "inspector/tuning.h"
 
 #include "document/document.h"
@@ -40,17 +40,12 @@ double rounded(double value)
 // Removes the dust of binary sums, so that 0.1 + 0.2 is 0.3.
 double exact(double value) { return QString::number(value, 'g', 12).toDouble(); }
 
-Transform toMagnitude(const Property& property, double size)
+// A vector that points into the direction, which is not 0 and has any length.
+Vec3 ofLength(double length, const Vec3& direction)
 {
-    return [&property, size](const Value& before) -> Value {
-        if (const Vec3* vector = std::get_if<Vec3>(&before)) {
-            const double length = vector->norm();
-            return Vec3(length > 0.0 ? Vec3(*vector * (size / length)) : Vec3(size, 0.0, 0.0));
-        }
-        if (std::holds_alternative<std::monostate>(before))
-            return clamped(property, size); // it no longer follows the material
-        return numberTransform(property, 0, [size](double) { return size; })(before);
-    };
+    if (length == 0.0)
+        return Vec3::Zero(); // without the -0 that a product has
+    return direction * (length / direction.norm());
 }
 
 } // namespace
@@ -122,28 +117,37 @@ QSlider* makeSlider(Subject& subject, const Property& property, std::function<Sl
     bar->setToolTip(words("Drag to tune %1 while it flies.").arg(labelOf(property).toLower()));
 
     const auto dragging = std::make_shared<Dragging>(subject, property);
-    QObject::connect(bar, &QSlider::sliderPressed, bar, [=] { dragging->begin(); });
-    QObject::connect(bar, &QSlider::valueChanged, bar, [=, &property](int position) {
+    const auto begin = [dragging, &subject, &property] {
+        subject.noteDirections(property);
+        dragging->begin();
+    };
+    QObject::connect(bar, &QSlider::sliderPressed, bar, begin);
+    QObject::connect(bar, &QSlider::valueChanged, bar, [=](int position) {
         if (!bar->isSliderDown())
-            dragging->begin(); // a key or a click beside the handle
+            begin(); // a key or a click beside the handle
         const auto snapped = snap && bar->isSliderDown() ? snap(position) : std::nullopt;
-        dragging->move(toMagnitude(
-            property, snapped ? *snapped : valueAt(range(), double(position) / sliderSteps)));
+        dragging->moveTo(snapped ? *snapped : valueAt(range(), double(position) / sliderSteps));
     });
     return bar;
 }
 
-void showOn(QSlider& slider, const SliderRange& range, const Common& common)
+void showOn(QSlider& slider, const SliderRange& range, Subject& subject, const Property& property)
 {
+    subject.noteDirections(property);
     if (slider.isSliderDown())
         return;
+    const auto first = find(subject.document().scene(), subject.ids().front());
+    if (!first)
+        return;
     const QSignalBlocker quiet(&slider);
-    slider.setValue(int(std::lround(placeOf(range, magnitude(common.value)) * sliderSteps)));
+    slider.setValue(
+        int(std::lround(placeOf(range, magnitude(property.get(*first))) * sliderSteps)));
 }
 
 void Dragging::begin()
 {
     m_before = m_subject.values(m_property);
+    m_directions = m_subject.directions(m_property);
     m_gesture = m_subject.document().beginGesture();
 }
 
@@ -153,6 +157,23 @@ void Dragging::move(const Transform& fromBefore)
     values.reserve(m_before.size());
     for (const Value& value : m_before)
         values.push_back(fromBefore(value));
+    m_subject.drag(m_property, std::move(values), m_gesture);
+}
+
+void Dragging::moveTo(double size)
+{
+    std::vector<Value> values;
+    values.reserve(m_before.size());
+    for (std::size_t i = 0; i < m_before.size(); ++i) {
+        const Value& before = m_before[i];
+        if (std::holds_alternative<Vec3>(before))
+            values.push_back(ofLength(size, m_directions[i]));
+        else if (std::holds_alternative<std::monostate>(before))
+            values.push_back(clamped(m_property, size)); // it no longer follows the material
+        else
+            values.push_back(
+                numberTransform(m_property, 0, [size](double) { return size; })(before));
+    }
     m_subject.drag(m_property, std::move(values), m_gesture);
 }
 

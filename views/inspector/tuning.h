@@ -36,12 +36,14 @@ public:
     {}
     void begin();
     void move(const Transform& fromBefore);
+    void moveTo(double size); // of a vector its length; it points where it last did
     void cancel();
 
 private:
     Subject& m_subject;
     const Property& m_property;
     std::vector<Value> m_before;
+    std::vector<Vec3> m_directions; // [things] of vectors
     int m_gesture = 0;
 };
 
@@ -54,7 +56,9 @@ using Snap = std::function<std::optional<double>(int position)>;
 // they go on past what a drag snaps to.
 QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range,
                     Snap snap = {});
-void showOn(QSlider& slider, const SliderRange& range, const Common& common);
+
+// Shows the value of the first thing, and notes where vectors point, for when they are 0.
+void showOn(QSlider& slider, const SliderRange& range, Subject& subject, const Property& property);
 
 double magnitude(const Value& value); // of a vector its length; 0 for what is no number
 

@@ -144,7 +144,7 @@ void TuningPanel::rebuild()
         }
         m_rows.clear();
         for (std::size_t i = 0; i < sliders.size(); ++i) {
-            auto* row = new TuningRow(m_document, *m_usage, sliders[i]);
+            auto* row = new TuningRow(m_document, *m_usage, m_sliders.directions(), sliders[i]);
             connect(row, &TuningRow::rangeEdited, this, [this, row](const SliderRange& range) {
                 m_sliders.setRange(*row->slider().property, row->slider().ids, range);
             });

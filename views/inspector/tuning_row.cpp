@@ -49,11 +49,12 @@ QString tradeLabel(const Property& property)
 
 } // namespace
 
-TuningRow::TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidget* parent)
+TuningRow::TuningRow(Document& document, UsageWatch& usage, LastDirections& directions,
+                     Slider slider, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_usage(usage)
-    , m_subject(document)
+    , m_subject(document, directions)
     , m_slider(std::move(slider))
     , m_label(new ScrubLabel({}))
     , m_note(new QLabel)
@@ -287,7 +288,7 @@ void TuningRow::refresh()
     m_low->show(compactNumber(m_slider.range.low));
     m_high->show(compactNumber(m_slider.range.high));
     m_log->setChecked(m_slider.range.logarithmic);
-    showOn(*m_bar, m_slider.range, common);
+    showOn(*m_bar, m_slider.range, m_subject, property);
     if (m_marks)
         m_marks->show(marks(), magnitude(common.value));
 }

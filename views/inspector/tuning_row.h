@@ -27,7 +27,8 @@ class TuningRow final : public QWidget
     Q_OBJECT
 
 public:
-    TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidget* parent = nullptr);
+    TuningRow(Document& document, UsageWatch& usage, LastDirections& directions, Slider slider,
+              QWidget* parent = nullptr);
 
     const Slider& slider() const { return m_slider; }
     void setRange(const SliderRange& range);
