@@ -3,6 +3,7 @@
 #include "actions/menu_row.h"
 #include "actions/workbench.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "icons/icon.h"
@@ -28,7 +29,7 @@ QMenu* groupMenu(QMenu& menu, const Workbench& bench, const QString& title, cons
         groups->clear();
         for (const Entry& entry : bench.document.scene().items)
             if (const Group* group = std::get_if<Group>(&entry.item))
-                groups->addAction(QString::fromStdString(group->name).replace('&', "&&"), groups,
+                groups->addAction(inMenu(QString::fromStdString(group->name)), groups,
                                   [run, id = entry.id] { run(id); });
         if (groups->isEmpty())
             groups->addAction(tr("No groups yet"))->setEnabled(false);
@@ -83,7 +84,7 @@ void groupSelection(const Workbench& bench)
     bool accepted = false;
     const QString name =
         QInputDialog::getText(&bench.window, tr("Group selection"),
-                              tr("Name of the group of %1:").arg(describe(scene, ids)),
+                              shownAsIs(tr("Name of the group of %1:").arg(describe(scene, ids))),
                               QLineEdit::Normal, QString::fromStdString(freeName(scene, "group")),
                               &accepted)
             .trimmed();

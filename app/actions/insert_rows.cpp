@@ -9,6 +9,7 @@
 #include "builders/builder.h"
 #include "dialogs/builder_dialog.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "files/arrivals.h"
@@ -67,7 +68,7 @@ public:
         const std::vector<Id> parts = builtParts(m_document.scene(), m_selection.ids());
         if (parts.empty())
             return say(tr("Nothing of a builder is selected."));
-        QMessageBox box(QMessageBox::Question, tr("Detach from builder"), lossOf(parts),
+        QMessageBox box(QMessageBox::Question, tr("Detach from builder"), shownAsIs(lossOf(parts)),
                         QMessageBox::Ok | QMessageBox::Cancel, &m_window);
         box.button(QMessageBox::Ok)->setText(tr("Detach"));
         if (box.exec() == QMessageBox::Ok)

@@ -12,6 +12,7 @@
 #include "actions/workbench.h"
 #include "docks/docks.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/player.h"
 #include "document/selection.h"
 #include "files/files.h"
@@ -145,10 +146,10 @@ void Menus::keepCurrent()
     const Actions& actions = m_bench->actions;
     const QUndoStack& history = m_bench->document.history();
     actions["undo"]->setEnabled(history.canUndo());
-    actions["undo"]->setText(history.canUndo() ? tr("&Undo: %1").arg(history.undoText())
+    actions["undo"]->setText(history.canUndo() ? tr("&Undo: %1").arg(inMenu(history.undoText()))
                                                : tr("&Undo"));
     actions["redo"]->setEnabled(history.canRedo());
-    actions["redo"]->setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText())
+    actions["redo"]->setText(history.canRedo() ? tr("&Redo: %1").arg(inMenu(history.redoText()))
                                                : tr("&Redo"));
     for (QAction* action : m_needSelection)
         action->setEnabled(!m_bench->selection.ids().empty());
@@ -196,7 +197,7 @@ void Menus::fillTemplates()
 {
     m_templates->clear();
     for (const QString& file : m_bench->files.templates())
-        m_templates->addAction(templateName(file).replace('&', "&&"), this,
+        m_templates->addAction(inMenu(templateName(file)), this,
                                [this, file] { m_bench->files.startFromTemplate(file); });
     if (m_templates->isEmpty())
         m_templates->addAction(tr("None yet: File, Save as template"))->setEnabled(false);
@@ -209,9 +210,9 @@ void Menus::fillRecent()
     m_recent->clear();
     for (const QString& file : m_bench->files.recent())
         m_recent
-            ->addAction(QFileInfo(file).fileName().replace('&', "&&"), this,
+            ->addAction(inMenu(QFileInfo(file).fileName()), this,
                         [this, file] { m_bench->files.open(file); })
-            ->setToolTip(file);
+            ->setToolTip(shownAsIs(file));
     m_recent->setEnabled(!m_recent->isEmpty());
 }
 

@@ -122,6 +122,7 @@ void BuilderDialog::layOut()
     m_builders->setAccessibleName(tr("Design"));
     m_help->setWordWrap(true);
     m_help->setForegroundRole(QPalette::PlaceholderText);
+    m_figures->setTextFormat(Qt::PlainText);
     m_figures->setObjectName(QStringLiteral("counts"));
     m_figures->setWordWrap(true);
     m_figures->setAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -7,6 +7,7 @@
 #include "dialogs/ask_file.h"
 #include "dialogs/work_dialog.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/spoken.h"
 #include "document/words.h"
 #include "io/certificate_table.h"
@@ -110,6 +111,7 @@ void CertifyDialog::layOut()
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_state->setTextFormat(Qt::PlainText);
     m_state->setObjectName(QStringLiteral("state"));
     m_state->setWordWrap(true);
 
@@ -210,7 +212,8 @@ void CertifyDialog::saveTable()
         return;
     if (const auto failure =
             replaceFile(pathOf(file), certificateTable(*m_certificate), Flush::ToDisk))
-        QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
+        QMessageBox::warning(this, tr("Cannot save the table"),
+                             shownAsIs(translated(failure->message)));
 }
 
 void CertifyDialog::saveRecording()
@@ -225,7 +228,8 @@ void CertifyDialog::saveRecording()
         failure = ripstop::saveRecording(*m_recording, pathOf(file), progress);
     });
     if (failure && failure->message != Message("Cancelled."))
-        QMessageBox::warning(this, tr("Cannot save the recording"), translated(failure->message));
+        QMessageBox::warning(this, tr("Cannot save the recording"),
+                             shownAsIs(translated(failure->message)));
 }
 
 } // namespace ripstop

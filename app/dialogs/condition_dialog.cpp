@@ -51,6 +51,7 @@ ConditionDialog::ConditionDialog(Document& document, Selection& selection,
         tr("strain > 5 %    mass < 1 g and not pinned    material = ripstop"));
     m_condition->setClearButtonEnabled(true);
     m_condition->setAccessibleName(tr("Condition"));
+    m_verdict->setTextFormat(Qt::PlainText); // it repeats what was typed
     m_verdict->setWordWrap(true);
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_verdict->setMinimumHeight(2 * fontMetrics().lineSpacing()); // a message may need two lines

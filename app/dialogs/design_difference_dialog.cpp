@@ -63,8 +63,10 @@ void DesignDifferenceDialog::layOut()
     QFont large = font();
     large.setPointSizeF(1.15 * large.pointSizeF());
     large.setWeight(QFont::DemiBold);
+    m_verdict->setTextFormat(Qt::PlainText);
     m_verdict->setFont(large);
     m_verdict->setWordWrap(true);
+    m_with->setTextFormat(Qt::PlainText);
     m_with->setWordWrap(true);
     m_with->setForegroundRole(QPalette::PlaceholderText);
     m_list->setWordWrap(true);

@@ -42,6 +42,7 @@ MapDialog::MapDialog(Document& document, Selection& selection, QWidget* parent)
     m_formula->setClearButtonEnabled(true);
     m_picture->setPlaceholderText(tr("none"));
     m_picture->setClearButtonEnabled(true);
+    m_verdict->setTextFormat(Qt::PlainText);
     m_verdict->setWordWrap(true);
     m_verdict->setMinimumHeight(2 * fontMetrics().lineSpacing()); // a message may need two lines
     m_verdict->setAlignment(Qt::AlignLeft | Qt::AlignTop);

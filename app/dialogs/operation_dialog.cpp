@@ -104,6 +104,7 @@ void OperationDialog::layOut()
     // a large design takes too long to be shown at each key
     m_preview->setChecked(particlesOf(m_document.scene(), m_ids).size() <= mostSelected);
     m_preview->setToolTip(tr("The design shows the outcome while this dialog is open."));
+    m_outcome->setTextFormat(Qt::PlainText);
     m_outcome->setObjectName(QStringLiteral("outcome"));
     m_outcome->setWordWrap(true);
     m_outcome->setMinimumHeight(3 * fontMetrics().lineSpacing()); // for a long sentence

@@ -1,5 +1,7 @@
 #include "dialogs/rescue_dialog.h"
 
+#include "document/plain_text.h"
+
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QHeaderView>
@@ -62,7 +64,7 @@ void RescueDialog::fill()
         auto* row = new QTreeWidgetItem(
             m_table,
             {rescue.title, QLocale().toString(rescue.written, QLocale::ShortFormat), file});
-        row->setToolTip(2, file);
+        row->setToolTip(2, shownAsIs(file));
     }
     m_table->header()->resizeSections(QHeaderView::ResizeToContents);
     m_table->setCurrentItem(m_table->topLevelItem(0));
@@ -81,8 +83,9 @@ void RescueDialog::removeChosen()
     if (!rescue
         || QMessageBox::question(
                this, tr("Delete unsaved work"),
-               tr("%1 of %2 is then gone for good.")
-                   .arg(rescue->title, QLocale().toString(rescue->written, QLocale::ShortFormat)),
+               shownAsIs(tr("%1 of %2 is then gone for good.")
+                             .arg(rescue->title,
+                                  QLocale().toString(rescue->written, QLocale::ShortFormat))),
                QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel)
                != QMessageBox::Discard)
         return;

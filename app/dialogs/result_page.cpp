@@ -7,6 +7,7 @@
 #include "dialogs/result_page.h"
 
 #include "dialogs/ask_file.h"
+#include "document/plain_text.h"
 #include "io/csv.h"
 
 #include <QCheckBox>
@@ -262,8 +263,9 @@ void ResultPage::save()
         return;
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text(',').toUtf8()) < 0 || !file.commit())
-        QMessageBox::warning(this, tr("Verification"),
-                             tr("%1 cannot be written: %2").arg(path, file.errorString()));
+        QMessageBox::warning(
+            this, tr("Verification"),
+            shownAsIs(tr("%1 cannot be written: %2").arg(path, file.errorString())));
 }
 
 } // namespace ripstop

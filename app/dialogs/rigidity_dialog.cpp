@@ -95,6 +95,7 @@ void RigidityDialog::layOut()
     QFont large = font();
     large.setPointSizeF(1.15 * large.pointSizeF());
     large.setWeight(QFont::DemiBold);
+    m_verdict->setTextFormat(Qt::PlainText);
     m_verdict->setFont(large);
     m_verdict->setWordWrap(true);
     for (QLabel* label : {m_sums, m_advice}) {

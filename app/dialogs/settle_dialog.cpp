@@ -116,6 +116,7 @@ void SettleDialog::layOut()
     form->addRow(m_damped);
     m_bar->setRange(0, wholeBar);
     m_bar->setTextVisible(false);
+    m_state->setTextFormat(Qt::PlainText);
     m_state->setObjectName(QStringLiteral("state"));
     m_state->setWordWrap(true);
     m_state->setMinimumHeight(3 * fontMetrics().lineSpacing()); // for a long sentence

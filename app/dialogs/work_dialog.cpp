@@ -1,5 +1,7 @@
 #include "dialogs/work_dialog.h"
 
+#include "document/plain_text.h"
+
 #include <QEventLoop>
 #include <QProgressDialog>
 #include <QTimer>
@@ -30,7 +32,7 @@ void workWithProgress(QWidget* parent, const QString& title,
         done = true;
     });
 
-    QProgressDialog bar(title, QObject::tr("Cancel"), 0, full, parent);
+    QProgressDialog bar(shownAsIs(title), QObject::tr("Cancel"), 0, full, parent);
     bar.setWindowModality(Qt::WindowModal);
     bar.setMinimumDuration(showDelay);
     bar.setAutoClose(false);

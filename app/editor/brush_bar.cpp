@@ -62,6 +62,7 @@ void BrushBar::layOut()
     QFont bold = font();
     bold.setBold(true);
     m_title->setFont(bold);
+    m_hint->setTextFormat(Qt::PlainText);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
 
     auto* what =

@@ -34,6 +34,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document, Selection& selection
     , m_counts(new QLabel)
 {
     for (QLabel* label : {m_selected, m_counts}) {
+        label->setTextFormat(Qt::PlainText); // names of things
         label->setContentsMargins(8, 0, 8, 0);
         bar.addPermanentWidget(label);
     }

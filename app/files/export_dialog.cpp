@@ -180,6 +180,7 @@ void ExportDialog::layOut()
     m_form->addRow(QString(), m_transparent);
     m_form->addRow(QString(), m_again);
 
+    m_message->setTextFormat(Qt::PlainText);
     m_message->setWordWrap(true);
     m_message->setMinimumHeight(3 * fontMetrics().lineSpacing());
     m_message->setAlignment(Qt::AlignTop | Qt::AlignLeft);

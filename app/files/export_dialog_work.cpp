@@ -5,6 +5,7 @@
 #include "files/export_dialog.h"
 
 #include "bundle/bundle.h"
+#include "document/plain_text.h"
 #include "document/words.h"
 #include "export/output_files.h"
 #include "io/tear_table.h"
@@ -143,9 +144,9 @@ bool ExportDialog::mayWrite()
         there.size() == 1
             ? tr("%1 exists already. Replace it?").arg(QDir::toNativeSeparators(there[0]))
             : tr("%1 and %2 more exist already. Replace them?")
-                  .arg(QDir::toNativeSeparators(there[0]))
-                  .arg(there.size() - 1);
-    return QMessageBox::question(this, tr("Replace what is there?"), question) == QMessageBox::Yes;
+                  .arg(QDir::toNativeSeparators(there[0]), QString::number(there.size() - 1));
+    return QMessageBox::question(this, tr("Replace what is there?"), shownAsIs(question))
+           == QMessageBox::Yes;
 }
 
 void ExportDialog::watch()

@@ -7,6 +7,7 @@
 
 #include "dialogs/ask_file.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/words.h"
@@ -75,7 +76,8 @@ bool Files::open(const QString& file)
     if (!mayDiscard())
         return false;
     if (const auto failure = m_document.open(file)) {
-        QMessageBox::warning(&m_window, tr("Cannot open the scene"), translated(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot open the scene"),
+                             shownAsIs(translated(failure->message)));
         return false;
     }
     remember(file);
@@ -95,10 +97,11 @@ bool Files::saveForStudy()
     const QString file = m_document.file();
     if (!file.isEmpty() && !isSample(file) && !m_document.isModified())
         return true;
-    const auto answer = QMessageBox::question(
-        &m_window, tr("Save the design?"),
-        tr("A study flies the design as it is saved. Save %1 now?").arg(m_document.displayName()),
-        QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Save);
+    const auto answer =
+        QMessageBox::question(&m_window, tr("Save the design?"),
+                              shownAsIs(tr("A study flies the design as it is saved. Save %1 now?")
+                                            .arg(m_document.displayName())),
+                              QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Save);
     return answer == QMessageBox::Save && save();
 }
 
@@ -123,14 +126,14 @@ void Files::saveAsTemplate()
     const QString file = templateFile(name);
     if (QFileInfo::exists(file)
         && QMessageBox::question(&m_window, tr("Save as template"),
-                                 tr("There is a template %1. Replace it?").arg(name))
+                                 shownAsIs(tr("There is a template %1. Replace it?").arg(name)))
                != QMessageBox::Yes)
         return;
     QDir().mkpath(QFileInfo(file).path());
     const std::filesystem::path path(file.toStdU16String());
     if (const auto failure = saveScene(m_document.scene(), path))
         QMessageBox::warning(&m_window, tr("Cannot save the template"),
-                             translated(failure->message));
+                             shownAsIs(translated(failure->message)));
     else
         emit said(tr("Saved the template %1").arg(name));
 }
@@ -142,7 +145,7 @@ void Files::startFromTemplate(const QString& file)
     Result<Scene> scene = readScene(std::filesystem::path(file.toStdU16String()));
     if (!scene) {
         QMessageBox::warning(&m_window, tr("Cannot open the template"),
-                             translated(scene.message()));
+                             shownAsIs(translated(scene.message())));
         return;
     }
     m_document.replace(std::move(*scene), templateName(file));
@@ -159,25 +162,26 @@ void Files::lookAtDisk()
     if (std::exchange(m_seenOnDisk, written) == written)
         return; // asked before; saving asks once more
     const QString lost = m_document.isModified() ? tr(" Your changes are then lost.") : QString();
-    QMessageBox box(
-        QMessageBox::Question, tr("Changed on the disk"),
-        tr("Another program has written %1. Open it again?%2").arg(m_document.displayName(), lost),
-        QMessageBox::NoButton, &m_window);
+    QMessageBox box(QMessageBox::Question, tr("Changed on the disk"),
+                    shownAsIs(tr("Another program has written %1. Open it again?%2")
+                                  .arg(m_document.displayName(), lost)),
+                    QMessageBox::NoButton, &m_window);
     QPushButton* open = box.addButton(tr("&Open again"), QMessageBox::AcceptRole);
     box.setDefaultButton(box.addButton(tr("&Keep mine"), QMessageBox::RejectRole));
     box.exec();
     if (box.clickedButton() != open)
         return;
     if (const auto failure = m_document.open(m_document.file()))
-        QMessageBox::warning(&m_window, tr("Cannot open the scene"), translated(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot open the scene"),
+                             shownAsIs(translated(failure->message)));
 }
 
 bool Files::mayOverwrite()
 {
     return QMessageBox::warning(&m_window, tr("Changed on the disk"),
-                                tr("Another program has written %1 since you opened it. Replace "
-                                   "what it wrote?")
-                                    .arg(m_document.displayName()),
+                                shownAsIs(tr("Another program has written %1 since you opened "
+                                             "it. Replace what it wrote?")
+                                              .arg(m_document.displayName())),
                                 QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Cancel)
            == QMessageBox::Save;
 }
@@ -187,7 +191,8 @@ bool Files::write(const QString& file)
     if (file == m_document.file() && m_document.isOlderThanFile() && !mayOverwrite())
         return false;
     if (const auto failure = m_document.save(file)) {
-        QMessageBox::warning(&m_window, tr("Cannot save the scene"), translated(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot save the scene"),
+                             shownAsIs(translated(failure->message)));
         return false;
     }
     remember(file);
@@ -245,9 +250,9 @@ void Files::savePicture()
     else
         QMessageBox::warning(
             &m_window, tr("Cannot save the picture"),
-            tr("%1 cannot be written: choose a folder that you may write to, and the ending .png, "
-               ".jpg, .svg or .pdf.")
-                .arg(QDir::toNativeSeparators(file)));
+            shownAsIs(tr("%1 cannot be written: choose a folder that you may write to, and the "
+                         "ending .png, .jpg, .svg or .pdf.")
+                          .arg(QDir::toNativeSeparators(file))));
 }
 
 bool Files::mayDiscard()
@@ -256,7 +261,8 @@ bool Files::mayDiscard()
         return true;
     const auto answer = QMessageBox::question(
         &m_window, tr("Unsaved changes"),
-        tr("%1 has changes that are not saved. Save them first?").arg(m_document.displayName()),
+        shownAsIs(tr("%1 has changes that are not saved. Save them first?")
+                      .arg(m_document.displayName())),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save)
         return save();

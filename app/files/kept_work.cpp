@@ -2,6 +2,7 @@
 
 #include "dialogs/rescue_dialog.h"
 #include "document/autosave.h"
+#include "document/plain_text.h"
 #include "document/player.h"
 #include "document/words.h"
 #include "files/files.h"
@@ -32,7 +33,7 @@ void KeptWork::keepIn(const QString& folder)
         return;
     if (const auto failure = m_autosave->recover(*dialog.chosen()))
         QMessageBox::warning(&m_window, tr("Cannot open what was left behind"),
-                             translated(failure->message));
+                             shownAsIs(translated(failure->message)));
     else
         emit opened();
 }

@@ -8,6 +8,7 @@
 #include "dialogs/ask_file.h"
 #include "dialogs/work_dialog.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/recordings.h"
 #include "document/words.h"
 #include "files/files.h"
@@ -81,7 +82,7 @@ void RunFiles::open(const QString& file)
     if (!*opened) {
         if (opened->message() != Message("Cancelled."))
             QMessageBox::warning(&m_window, tr("Cannot open the recording"),
-                                 translated(opened->message()));
+                                 shownAsIs(translated(opened->message())));
         return;
     }
     show(**opened, file);
@@ -92,7 +93,7 @@ void RunFiles::show(const OpenedRecording& opened, const QString& file)
     const std::shared_ptr<Recording> recording = opened.recording;
     const QString damage = translated(opened.damage);
     if (!damage.isEmpty())
-        QMessageBox::warning(&m_window, tr("The recording is damaged"), damage);
+        QMessageBox::warning(&m_window, tr("The recording is damaged"), shownAsIs(damage));
     if (!mayShow(*recording, file))
         return;
     if (recording->name().empty())
@@ -110,9 +111,9 @@ bool RunFiles::mayShow(const Recording& recording, const QString& file)
         return true;
     if (!m_document.scene().items.empty()) {
         QMessageBox box(QMessageBox::Question, tr("A recording of another design"),
-                        tr("%1 is of another design than the one that is open. Open that design, "
-                           "too? The runs that are not saved are then lost.")
-                            .arg(QFileInfo(file).fileName()),
+                        shownAsIs(tr("%1 is of another design than the one that is open. Open that "
+                                     "design, too? The runs that are not saved are then lost.")
+                                      .arg(QFileInfo(file).fileName())),
                         QMessageBox::Cancel, &m_window);
         QPushButton* open = box.addButton(tr("&Open its design"), QMessageBox::AcceptRole);
         QPushButton* compare = box.addButton(tr("Only &compare"), QMessageBox::ActionRole);
@@ -155,7 +156,7 @@ void RunFiles::save()
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     else if (failure->message != Message("Cancelled."))
         QMessageBox::warning(&m_window, tr("Cannot save the recording"),
-                             translated(failure->message));
+                             shownAsIs(translated(failure->message)));
 }
 
 void RunFiles::askForMemory()

@@ -59,7 +59,9 @@ QString describe(const RunEvent& event, const Scene& scene, int more)
 {
     const QString one =
         EventWords::tr("%1 s: %2").arg(QLocale().toString(event.time, 'f', 3), what(event, scene));
-    return more == 0 ? one : EventWords::tr("%1, and %2 more in this step").arg(one).arg(more);
+    return more == 0
+               ? one
+               : EventWords::tr("%1, and %2 more in this step").arg(one, QString::number(more));
 }
 
 QColor eventColor(RunEvent::Kind kind, const QPalette& palette)

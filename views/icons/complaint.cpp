@@ -13,6 +13,7 @@ QColor wrongColor(const QPalette& ground)
 Complaint::Complaint(QWidget* parent)
     : QLabel(parent)
 {
+    setTextFormat(Qt::PlainText); // it repeats what was typed
     setWordWrap(true);
     hide();
     takeColor();

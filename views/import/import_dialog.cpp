@@ -5,6 +5,7 @@
 // alone, so that its camera and its marks stay.
 #include "import/import_dialog.h"
 
+#include "document/plain_text.h"
 #include "document/spoken.h"
 #include "document/words.h"
 #include "icons/icon.h"
@@ -143,6 +144,7 @@ QWidget* ImportDialog::filePlace()
     choose->setToolTip(tr("OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP or VTU."));
     choose->setAutoDefault(false);
     connect(choose, &QPushButton::clicked, this, &ImportDialog::chooseFile);
+    m_fileName->setTextFormat(Qt::PlainText);
     m_fileName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* place = new QWidget;
     auto* row = new QHBoxLayout(place);
@@ -155,6 +157,7 @@ QWidget* ImportDialog::filePlace()
 void ImportDialog::layOut()
 {
     m_size->setObjectName(QStringLiteral("resultingSize"));
+    m_counts->setTextFormat(Qt::PlainText);
     m_counts->setObjectName(QStringLiteral("counts"));
     m_counts->setWordWrap(true);
     m_report->setObjectName(QStringLiteral("report"));
@@ -208,7 +211,7 @@ void ImportDialog::openFile(const QString& file)
 {
     m_file = file;
     m_fileName->setText(QFileInfo(file).fileName());
-    m_fileName->setToolTip(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()));
+    m_fileName->setToolTip(shownAsIs(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath())));
     m_form->startFile(file);
     m_shown = nullptr;
     m_preview->setMesh(nullptr);
@@ -277,7 +280,8 @@ void ImportDialog::accept()
         if (const auto failure = unpack(picture))
             refusals << translated(failure->message);
     if (!refusals.isEmpty())
-        QMessageBox::warning(this, tr("Fabric without its picture"), refusals.join(QChar('\n')));
+        QMessageBox::warning(this, tr("Fabric without its picture"),
+                             shownAsIs(refusals.join(QChar('\n'))));
     QDialog::accept();
 }
 

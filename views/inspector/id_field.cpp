@@ -5,6 +5,7 @@
 // the items that fit, picking where elements fit, and none. idField() puts line and menu side by
 // side.
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/words.h"
 #include "icons/icon.h"
 #include "inspector/field.h"
@@ -119,7 +120,7 @@ void fillMenu(QMenu& menu, const FieldPlace& place)
         for (const Entry& entry : subject.document().scene().items)
             if (const Kind kind = kindOfItem(entry.item); property.pointsAt.contains(kind))
                 choose(icon(QString::fromUtf8(kindName(kind).data())),
-                       QString::fromStdString(nameOf(entry.item)), entry.id);
+                       inMenu(QString::fromStdString(nameOf(entry.item))), entry.id);
     menu.addSeparator();
     const Kinds picked = property.pointsAt;
     if (picked.contains(Kind::Particle) || picked.contains(Kind::Link))

@@ -62,6 +62,8 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     , m_noMatch(new QLabel)
     , m_pages(new QStackedWidget)
 {
+    for (QLabel* label : {m_title, m_totals, m_noMatch}) // they say names, or what is searched for
+        label->setTextFormat(Qt::PlainText);
     QFont bold = m_title->font();
     bold.setWeight(QFont::DemiBold);
     m_title->setFont(bold);

@@ -3,6 +3,8 @@
 // is nearest to the value; painting, tool tips and clicks use the same places.
 #include "inspector/mark_strip.h"
 
+#include "document/plain_text.h"
+
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -195,7 +197,7 @@ bool MarkStrip::event(QEvent* event)
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         if (const SliderMark* mark = markAt(help->pos()))
-            QToolTip::showText(help->globalPos(), mark->tip, this);
+            QToolTip::showText(help->globalPos(), shownAsIs(mark->tip), this);
         else
             QToolTip::hideText();
         return true;

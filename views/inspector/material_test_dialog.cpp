@@ -139,6 +139,7 @@ QFormLayout* MaterialTestDialog::fields()
 
 void MaterialTestDialog::layOut()
 {
+    m_result->setTextFormat(Qt::PlainText);
     m_result->setWordWrap(true);
     m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_result->setAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -41,6 +41,7 @@ void OwnMaterialDialog::layOut()
     m_kind->addItems({tr("Fabric"), tr("Film"), tr("Line"), tr("Spar")}); // as PresetKind
     m_kind->setCurrentIndex(int(m_preset.kind));
     m_source->setPlaceholderText(tr("who says so, or how it was found"));
+    m_name->setTextFormat(Qt::PlainText);
     m_name->setWordWrap(true);
     m_name->setTextInteractionFlags(Qt::TextSelectableByMouse);
 

@@ -7,6 +7,7 @@
 
 #include "check/check.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/spoken.h"
 #include "document/words.h"
 #include "inspector/material_step.h"
@@ -139,8 +140,8 @@ void PresetChooser::refreshSteps()
     for (const MaterialStep step : allMaterialSteps) {
         QToolButton& button = *m_steps[std::size_t(step)];
         bool goes = false;
-        button.setToolTip(
-            stepPreview(m_subject.document(), m_subject.ids(), step, m_own.presets, goes));
+        button.setToolTip(shownAsIs(
+            stepPreview(m_subject.document(), m_subject.ids(), step, m_own.presets, goes)));
         button.setEnabled(goes);
     }
 }
@@ -194,7 +195,7 @@ void PresetChooser::fillMenu()
     const Preset* current = chosen();
     const auto add = [&](const Preset& preset, const QString& text) {
         QAction* action = m_kinds[std::size_t(preset.kind)]->addAction(
-            text + strengthColumn(preset), this, [this, &preset] { apply(preset); });
+            inMenu(text) + strengthColumn(preset), this, [this, &preset] { apply(preset); });
         action->setCheckable(&preset == current);
         action->setChecked(&preset == current);
         action->setToolTip(QStringLiteral("<qt>%1</qt>").arg(richText(sourcesOf(preset))));
@@ -204,7 +205,8 @@ void PresetChooser::fillMenu()
     for (const Preset& preset : m_own.presets)
         add(preset, tr("%1 (own)").arg(QString::fromStdString(preset.label)));
     m_problem->setVisible(m_own.problem.has_value());
-    m_problem->setToolTip(m_own.problem ? translated(m_own.problem->message) : QString());
+    m_problem->setToolTip(
+        shownAsIs(m_own.problem ? translated(m_own.problem->message) : QString()));
 }
 
 const Preset* PresetChooser::chosen() const

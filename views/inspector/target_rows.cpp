@@ -5,6 +5,7 @@
 #include "inspector/target_rows.h"
 
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/spoken.h"
 #include "document/words.h"
 
@@ -113,7 +114,8 @@ void TargetRows::spread()
 {
     Result<Edit> edit = massBroughtToTarget(m_document.scene(), m_id);
     if (!edit) {
-        QMessageBox::information(window(), tr("Target mass"), translated(edit.message()));
+        QMessageBox::information(window(), tr("Target mass"),
+                                 shownAsIs(translated(edit.message())));
         return;
     }
     m_document.push(std::move(*edit));

@@ -2,6 +2,7 @@
 #include "loads/load_list.h"
 
 #include "document/place_words.h"
+#include "document/plain_text.h"
 #include "document/spoken.h"
 #include "document/words.h"
 #include "icons/tinted.h"
@@ -88,7 +89,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         item.setText(Place, place.torn ? tr("%1: torn").arg(words) : words);
         item.setData(Place, Qt::UserRole, place.element);
         item.setSelected(held != 0 && place.element == held);
-        item.setToolTip(Place, describe(scene, {Id{place.element}}));
+        item.setToolTip(Place, shownAsIs(describe(scene, {Id{place.element}})));
         item.setText(Load, amount(place.load, place.kind));
         item.setToolTip(Load, loadWords(place.kind));
         item.setText(Strength, amount(place.strength, place.kind));

@@ -11,6 +11,7 @@
 
 #include "derived/collider_shape.h"
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/selection.h"
 #include "document/shape_file.h"
 #include "document/words.h"
@@ -99,8 +100,9 @@ Outline::Outline(Document& document, Selection& selection, QWidget* parent)
     , m_addMenu(new QMenu(this))
 {
     confirm = [this](const QString& question) {
-        const auto answer = QMessageBox::question(
-            this, tr("Delete"), question, QMessageBox::Ok | QMessageBox::Cancel, QMessageBox::Ok);
+        const auto answer =
+            QMessageBox::question(this, tr("Delete"), shownAsIs(question),
+                                  QMessageBox::Ok | QMessageBox::Cancel, QMessageBox::Ok);
         return answer == QMessageBox::Ok;
     };
     m_search->setPlaceholderText(tr("Search names, or #17"));

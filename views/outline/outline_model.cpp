@@ -8,6 +8,7 @@
 #include "outline/outline_model.h"
 
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "icons/icon.h"
@@ -192,9 +193,9 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const
         return font;
     }
     if (role == Qt::ToolTipRole && isThing && n.kind != Kind::Settings)
-        return tr("%1 %2, id %3")
-            .arg(kindLabel(n.kind), nameOf(m_document.scene(), n.id))
-            .arg(std::uint32_t(n.id));
+        return shownAsIs(tr("%1 %2, id %3")
+                             .arg(kindLabel(n.kind), nameOf(m_document.scene(), n.id),
+                                  QString::number(std::uint32_t(n.id))));
     return {};
 }
 

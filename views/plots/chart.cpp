@@ -6,6 +6,7 @@
 #include "plots/chart.h"
 
 #include "document/event_words.h"
+#include "document/plain_text.h"
 #include "document/spoken.h"
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
@@ -379,7 +380,7 @@ void Chart::hover(const QPointF& place)
                         : std::nullopt);
     const Mark* mark = inside ? markAt(place.x()) : nullptr;
     const QString text = mark ? mark->text : inside ? bandAt(place) : QString();
-    QToolTip::showText(m_plot->mapToGlobal(place.toPoint()), text, this);
+    QToolTip::showText(m_plot->mapToGlobal(place.toPoint()), shownAsIs(text), this);
 }
 
 const Mark* Chart::markAt(double x) const

@@ -3,6 +3,7 @@
 // clipboard. Each choice changes a copy of the Plot that is shown and hands it to
 // PlotPanel::change(), which makes an edit of it when the scene keeps that Plot.
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "icons/icon.h"
 #include "plots/chart_picture.h"
 #include "plots/plot_panel.h"
@@ -69,7 +70,7 @@ void PlotPanel::addWays(QMenu& menu)
               [](Plot& plot) { plot.axis = PlotAxis::Time; });
     for (const Entry& entry : m_probes) {
         const Id id = entry.id;
-        addChoice(*against, *this, QString::fromStdString(std::get<Probe>(entry.item).name),
+        addChoice(*against, *this, inMenu(QString::fromStdString(std::get<Probe>(entry.item).name)),
                   now.axis == PlotAxis::Probe && now.against == id, [id](Plot& plot) {
                       plot.axis = PlotAxis::Probe;
                       plot.against = id;

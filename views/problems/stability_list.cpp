@@ -5,6 +5,7 @@
 #include "problems/stability_list.h"
 
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "icons/tinted.h"
@@ -66,7 +67,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
                                       : tinted(QStringLiteral("ok"), QColor(0x3c, 0x9a, 0x5f)));
         item->setData(Subject, Qt::AccessibleTextRole,
                       (isPoor ? tr("Poor: %1") : tr("Good: %1")).arg(item->text(Subject)));
-        item->setToolTip(Told, item->text(Told));
+        item->setToolTip(Told, shownAsIs(item->text(Told)));
         if (!finding.repair)
             continue;
         auto* button = new QPushButton(translated(finding.repair->label));

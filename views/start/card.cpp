@@ -4,6 +4,7 @@
 // place.
 #include "start/card.h"
 
+#include "document/plain_text.h"
 #include "icons/icon.h"
 
 #include <QPainter>
@@ -31,7 +32,7 @@ Card::Card(const QString& title, const QString& note, const QPixmap& picture,
     setIcon(ripstop::icon(iconName));
     setAccessibleName(title);
     setAccessibleDescription(note);
-    setToolTip(note);
+    setToolTip(shownAsIs(note));
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
 }

@@ -5,6 +5,7 @@
 #include "start/start_page.h"
 
 #include "builders/builder.h"
+#include "document/plain_text.h"
 #include "document/words.h"
 #include "icons/icon.h"
 #include "start/card.h"
@@ -233,12 +234,12 @@ void StartPage::setRecent(const QStringList& files)
     }
     for (const QString& file : files.mid(0, mostRecent)) {
         QToolButton* button =
-            entry(QFileInfo(file).fileName().remove(QStringLiteral(".ripstop.json")),
-                  QStringLiteral("recent"), QDir::toNativeSeparators(file));
+            entry(inMenu(QFileInfo(file).fileName().remove(QStringLiteral(".ripstop.json"))),
+                  QStringLiteral("recent"), shownAsIs(QDir::toNativeSeparators(file)));
         button->setObjectName(QStringLiteral("recent ") + file);
         button->setEnabled(QFileInfo::exists(file));
         if (!button->isEnabled())
-            button->setToolTip(tr("%1 is gone.").arg(QDir::toNativeSeparators(file)));
+            button->setToolTip(shownAsIs(tr("%1 is gone.").arg(QDir::toNativeSeparators(file))));
         connect(button, &QToolButton::clicked, this, [this, file] { emit openRequested(file); });
         m_recent->addWidget(button);
     }

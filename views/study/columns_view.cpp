@@ -2,6 +2,7 @@
 // there are more flights.
 #include "study/columns_view.h"
 
+#include "document/plain_text.h"
 #include "study/point_table.h"
 #include "study/scatter_matrix.h"
 #include "study/study_map.h"
@@ -55,7 +56,7 @@ void ColumnsView::setStudy(const OpenedStudy& study)
         m_isShown[variables + wanted] = 1;
     m_menu->clear();
     for (std::size_t i = 0; i < titles.size(); ++i) {
-        QAction* action = m_menu->addAction(titles[i]);
+        QAction* action = m_menu->addAction(inMenu(titles[i]));
         action->setCheckable(true);
         action->setChecked(m_isShown[i]);
         connect(action, &QAction::toggled, this, [this, i](bool on) {

@@ -1,6 +1,7 @@
 // Items are made anew when others are the best; their pictures come as they are drawn.
 #include "study/design_gallery.h"
 
+#include "document/plain_text.h"
 #include "study/design_pictures.h"
 #include "study/shown_value.h"
 #include "study/study_search.h"
@@ -91,7 +92,7 @@ void DesignGallery::show(const OpenedStudy& study, const StudyFlights& flights)
                 tr("%1. %2").arg(i + 1).arg(wantedText(study, *flights[best[i]])) + '\n'
                     + valuesText(study, best[i]),
                 this);
-            item->setToolTip(wholeText(study, *flights[best[i]], best[i]));
+            item->setToolTip(shownAsIs(wholeText(study, *flights[best[i]], best[i])));
             item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
             setPicture(i);
         }

@@ -1,6 +1,8 @@
 // Styles cut what is too long in the middle of a letter, so that it is made shorter for them.
 #include "study/narrow_box.h"
 
+#include "document/plain_text.h"
+
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 
@@ -19,7 +21,8 @@ NarrowBox::NarrowBox(const QString& name, const QStringList& texts, int letters)
 
 void NarrowBox::tellWhole()
 {
-    setToolTip(currentText().isEmpty() ? m_name : m_name + QStringLiteral(": ") + currentText());
+    setToolTip(shownAsIs(currentText().isEmpty() ? m_name
+                                                 : m_name + QStringLiteral(": ") + currentText()));
 }
 
 void NarrowBox::paintEvent(QPaintEvent*)

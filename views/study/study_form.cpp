@@ -61,6 +61,7 @@ StudyForm::StudyForm(QWidget* parent)
                            12))
     , m_keepCount(new QSpinBox)
 {
+    m_hint->setTextFormat(Qt::PlainText);
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_variables->setSpacing(0);

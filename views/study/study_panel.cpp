@@ -4,6 +4,7 @@
 #include "study/study_panel.h"
 
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/recordings.h"
 #include "document/words.h"
 #include "io/whole_file.h"
@@ -190,6 +191,7 @@ QWidget* StudyPanel::formSide()
     area->setFrameShape(QFrame::NoFrame);
     area->setWidget(m_form);
     m_progress->setTextVisible(true);
+    m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
     m_state->setObjectName(QStringLiteral("state"));
     auto* go = new QHBoxLayout;
@@ -321,7 +323,7 @@ QString StudyPanel::freeName() const
             name.chop(qsizetype(qstrlen(known)));
     QString file = design.dir().filePath(name + ending());
     for (int i = 2; QFileInfo::exists(file); ++i)
-        file = design.dir().filePath(QStringLiteral("%1 %2").arg(name).arg(i) + ending());
+        file = design.dir().filePath(name + QChar(' ') + QString::number(i) + ending());
     return file;
 }
 
@@ -393,7 +395,7 @@ void StudyPanel::showState()
     const Task task = m_runner->task();
     m_title->setText(m_file.isEmpty() ? tr("New study")
                                       : QFileInfo(m_file).fileName().remove(ending()));
-    m_title->setToolTip(QDir::toNativeSeparators(m_file));
+    m_title->setToolTip(shownAsIs(QDir::toNativeSeparators(m_file)));
     m_run->setText(task == Task::None ? tr("&Fly") : tr("&Stop"));
     m_form->setEnabled(task != Task::Flying);
     const bool isKnown = m_runner->study() != nullptr;
@@ -441,8 +443,7 @@ void StudyPanel::showState()
     if (const OtherBuild& other = m_runner->otherBuild(); other.rows > tally.flown)
         words += ' '
                  + tr("Flown by another build, %1: %2. They stay, and are flown anew.")
-                       .arg(QString::fromStdString(other.program))
-                       .arg(other.rows);
+                       .arg(QString::fromStdString(other.program), QString::number(other.rows));
     if (!isOfTheDesign())
         words += ' '
                  + tr("It flies %1, which is not the design that is open.")

@@ -326,7 +326,9 @@ void StudyView::fillSlices()
         auto* pair = new QWidget;
         auto* layout = new QHBoxLayout(pair);
         layout->setContentsMargins(0, 0, 0, 0);
-        layout->addWidget(new QLabel(tr("at %1").arg(QString::fromStdString(variable.name))));
+        auto* at = new QLabel(tr("at %1").arg(QString::fromStdString(variable.name)));
+        at->setTextFormat(Qt::PlainText);
+        layout->addWidget(at);
         layout->addWidget(box);
         layout->addStretch();
         m_slices->addWidget(pair);

@@ -2,6 +2,7 @@
 // and becomes values when it is committed.
 #include "study/variable_row.h"
 
+#include "document/plain_text.h"
 #include "document/words.h"
 #include "icons/complaint.h"
 #include "icons/icon.h"
@@ -56,7 +57,7 @@ VariableRow::VariableRow(StudyVariable variable, QString unit, QWidget* parent)
     QStringList paths;
     for (const std::string& path : m_variable.paths)
         paths << QString::fromStdString(path);
-    name->setToolTip(tr("Sets %1").arg(paths.join(QStringLiteral(", "))));
+    name->setToolTip(shownAsIs(tr("Sets %1").arg(paths.join(QStringLiteral(", ")))));
     if (paths.size() > 1)
         name->setText(tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name->text()));
     auto* remove = new QToolButton;

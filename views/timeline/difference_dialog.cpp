@@ -154,6 +154,7 @@ DifferenceDialog::DifferenceDialog(std::shared_ptr<Recording> a, std::shared_ptr
         tr("%1 and %2: distance of their particles")
             .arg(QString::fromStdString(m_a->name()), QString::fromStdString(m_b->name())));
     m_bar->setRange(0, 1000);
+    m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_plot, 1);

@@ -4,6 +4,7 @@
 // measures everything after any change; words beside icons go first where the window is narrow.
 #include "timeline/timeline.h"
 
+#include "document/plain_text.h"
 #include "document/recordings.h"
 #include "document/words.h"
 #include "icons/icon.h"
@@ -172,7 +173,7 @@ void Timeline::fillRuns()
     const auto& list = m_recordings.list();
     for (const auto& recording : list) {
         m_runs->addItem(nameOf(*recording));
-        m_runs->setItemData(m_runs->count() - 1, nameOf(*recording), Qt::ToolTipRole);
+        m_runs->setItemData(m_runs->count() - 1, shownAsIs(nameOf(*recording)), Qt::ToolTipRole);
         if (recording == m_recordings.current())
             m_runs->setCurrentIndex(m_runs->count() - 1);
     }
@@ -194,12 +195,12 @@ void Timeline::fillBookmarks()
     for (const Bookmark& bookmark : bookmarks)
         menu->addAction(tr("%1 s  %2")
                             .arg(QLocale().toString(bookmark.time, 'f', 3),
-                                 QString::fromStdString(bookmark.name)),
+                                 inMenu(QString::fromStdString(bookmark.name))),
                         this, [this, time = bookmark.time] { m_recordings.seekTime(time); });
     menu->addSeparator();
     removal = menu->addMenu(tr("&Remove a bookmark"));
     for (std::size_t i = 0; i < bookmarks.size(); ++i)
-        removal->addAction(QString::fromStdString(bookmarks[i].name), this,
+        removal->addAction(inMenu(QString::fromStdString(bookmarks[i].name)), this,
                            [this, i] { m_recordings.removeBookmark(i); });
 }
 
@@ -210,7 +211,7 @@ void Timeline::fillCompare()
     for (const auto& recording : m_recordings.list()) {
         if (recording == m_recordings.current())
             continue;
-        QAction* action = menu->addAction(nameOf(*recording), this,
+        QAction* action = menu->addAction(inMenu(nameOf(*recording)), this,
                                           [this, recording] { m_recordings.setGhost(recording); });
         action->setCheckable(true);
         action->setChecked(recording == m_recordings.ghost());
@@ -304,14 +305,13 @@ void Timeline::refresh()
     const QString trouble = translated(recording->trouble());
     const QString time = tr("%1 s").arg(QLocale().toString(m_recordings.time(), 'f', 3));
     const QString where = tr("%1 \u00b7 frame %2 of %3")
-                              .arg(time)
-                              .arg(QLocale().toString(qulonglong(m_recordings.frame() + 1)))
-                              .arg(QLocale().toString(qulonglong(count)));
+                              .arg(time, QLocale().toString(qulonglong(m_recordings.frame() + 1)),
+                                   QLocale().toString(qulonglong(count)));
     m_where->setText((isWide() ? where : time)
                      + (trouble.isEmpty() ? QString() : tr(" \u00b7 full")));
     const QString kept =
         tr("In memory: %1, on disk: %2").arg(sizeText(size.memory), sizeText(size.disk));
-    m_where->setToolTip(where + '\n' + (trouble.isEmpty() ? kept : trouble));
+    m_where->setToolTip(shownAsIs(where + '\n' + (trouble.isEmpty() ? kept : trouble)));
 }
 
 } // namespace ripstop

@@ -8,6 +8,7 @@
 #include "timeline/timeline_strip.h"
 
 #include "document/event_words.h"
+#include "document/plain_text.h"
 #include "document/recordings.h"
 
 #include <QEvent>
@@ -152,7 +153,7 @@ QString TimelineStrip::tipAt(int x) const
         }
     if (left > 0)
         lines << tr("and %1 more").arg(left);
-    return lines.join('\n');
+    return shownAsIs(lines.join('\n'));
 }
 
 // --- painting ----------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "transport/control_strip.h"
 
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/player.h"
 #include "document/words.h"
 #include "transport/value_bar.h"
@@ -69,6 +70,7 @@ void ControlStrip::addRow(Id id, const Control& control)
 {
     const int row = int(m_rows.size());
     auto* name = new QLabel(QString::fromStdString(control.name));
+    name->setTextFormat(Qt::PlainText);
     auto* bar = new ValueBar;
     bar->setLimit(control.limit);
     bar->setAccessibleName(name->text());
@@ -86,7 +88,7 @@ QWidget* ControlStrip::nudgeButton(Id id, const Control& control, int direction)
     const QString key = keyText(direction < 0 ? control.keyLess : control.keyMore);
     auto* button = new QToolButton;
     button->setObjectName(QString::fromStdString(control.name) + sign);
-    button->setText(key.isEmpty() ? sign : sign + QStringLiteral("  ") + key);
+    button->setText(key.isEmpty() ? sign : inMenu(sign + QStringLiteral("  ") + key));
     button->setAccessibleName(QString::fromStdString(control.name) + QChar(' ') + sign);
     button->setAutoRepeat(true);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

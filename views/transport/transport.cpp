@@ -5,6 +5,7 @@
 #include "transport/transport.h"
 
 #include "document/document.h"
+#include "document/plain_text.h"
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/words.h"
@@ -264,7 +265,7 @@ void Transport::refreshAccuracy()
              "shorter time step tells them.")
               .arg(QLocale().toString(accuracy.fastestSwing, 'g', 2));
     m_accuracy->setToolTip(
-        accuracy.isMet() ? told : told + QLatin1String("\n") + translated(accuracy.complaint()));
+        accuracy.isMet() ? told : shownAsIs(told + QChar('\n') + translated(accuracy.complaint())));
 }
 
 void Transport::refreshBadge()
@@ -277,7 +278,7 @@ void Transport::refreshBadge()
         return m_badge->setToolTip(
             tr("Past: what you see is a moment of a recording. Continue from "
                "here begins a new run at it; Live goes back to the run."));
-    m_badge->setToolTip(stuck  ? translated(frame->stopped)
+    m_badge->setToolTip(stuck  ? shownAsIs(translated(frame->stopped))
                         : runs ? tr("Run: what you see is the simulation. Reset returns to the "
                                     "design; properties can be edited in both.")
                                : tr("Edit: what you see is the design. Play starts from here."));
