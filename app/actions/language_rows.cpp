@@ -28,7 +28,8 @@ void choose(Language language, const Workbench& bench)
 
 MenuRows languageRows(const Workbench& bench)
 {
-    return choiceRows("&View/Lan&guage", "language", choices, std::size_t(keptLanguage()),
+    return choiceRows(QT_TRANSLATE_NOOP("Actions", "&View/Lan&guage"), "language", choices,
+                      std::size_t(keptLanguage()),
                       [&bench](std::size_t i) { choose(Language(i), bench); });
 }
 

@@ -30,8 +30,9 @@ void choose(ThemeChoice choice)
 
 MenuRows themeRows(const Workbench& bench)
 {
-    MenuRows rows = choiceRows("&View/T&heme", "theme", choices, std::size_t(keptThemeChoice()),
-                               [](std::size_t i) { choose(ThemeChoice(i)); });
+    MenuRows rows =
+        choiceRows(QT_TRANSLATE_NOOP("Actions", "&View/T&heme"), "theme", choices,
+                   std::size_t(keptThemeChoice()), [](std::size_t i) { choose(ThemeChoice(i)); });
     rows.push_back({"&View",
                     "resetLayout",
                     tr("Reset la&yout"),

@@ -4311,6 +4311,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="language_rows.cpp"/>
+        <source>Lan&amp;guage</source>
+        <translation>Lan&amp;gue</translation>
+    </message>
+    <message>
+        <location filename="language_rows.cpp"/>
         <source>The language of the desktop.</source>
         <translation>La langue du bureau.</translation>
     </message>
@@ -14716,8 +14721,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>The delta of what one can buy: 0.75 oz ripstop, fibreglass tubes of 6 mm and a line that breaks at 450 N. Tune the membrane stiffness of sail, border and keel cloth, 20 to 90 kN/m, and watch the strain (Alt+2).</source>
-        <translation>Le delta de ce qui s’achète : ripstop de 0,75 oz, tubes de fibre de verre de 6 mm et une ligne qui casse à 450 N. Réglez la raideur de membrane de la voile, du bord et de la toile de quille, de 20 à 90 kN/m, et regardez la déformation (Alt+2).</translation>
+        <source>The delta of what one can buy: 0.75 oz ripstop, fibreglass tubes of 6 mm and a line of 450 N, 405 at its knots. Tune the membrane stiffness of sail, border and keel cloth, 20 to 90 kN/m, and watch the strain (Alt+2).</source>
+        <translation>Le delta de ce qui s’achète : ripstop de 0,75 oz, tubes de fibre de verre de 6 mm et une ligne de 450 N, 405 à ses nœuds. Réglez la raideur de membrane de la voile, du bord et de la toile de quille, de 20 à 90 kN/m, et regardez la déformation (Alt+2).</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16006,6 +16011,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="theme_rows.cpp"/>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
         <source>All panels at the places and in the sizes that they had at first.</source>
         <translation>Tous les panneaux aux places et dans les tailles qu’ils avaient au début.</translation>
     </message>
@@ -16028,6 +16038,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="theme_rows.cpp"/>
         <source>Reset la&amp;yout</source>
         <translation>Rétablir la disposi&amp;tion</translation>
+    </message>
+    <message>
+        <location filename="theme_rows.cpp"/>
+        <source>T&amp;heme</source>
+        <translation>T&amp;hème</translation>
     </message>
     <message>
         <location filename="thread_check.cpp"/>
@@ -17425,11 +17440,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="view_rows.cpp"/>
         <source>&amp;Velocity</source>
         <translation>&amp;Vitesse</translation>
-    </message>
-    <message>
-        <location filename="view_rows.cpp"/>
-        <source>&amp;View</source>
-        <translation>&amp;Affichage</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>

@@ -24,6 +24,8 @@
 #include <QTabBar>
 #include <QXmlStreamReader>
 
+#include <algorithm>
+
 namespace ripstop {
 
 // English -> French, as the file has it; the singular where there are plurals.
@@ -139,6 +141,8 @@ inline bool isContent(const QString& text)
             const QString name = QString::fromStdString(nameOf(entry.item)).toLower();
             all << name << name + " +" << name + " " + QChar(0x2212);
         }
+        for (int kind = 0; kind < kindCount; ++kind) // things are called so until they are renamed
+            all << QString::fromUtf8(kindName(Kind(kind)).data());
         for (const Preset& preset : allPresets())
             all << "<qt>"
                        + QString::fromStdString(sourcesOf(preset))
@@ -152,7 +156,10 @@ inline bool isContent(const QString& text)
     }();
     static const QRegularExpression coordinate("^Position [xyz] \\(m\\)$");
     const bool isFile = text.contains("ripstop.json") || text.contains("delta_kite");
-    const bool isUnit = !text.contains(' ') && unitFactor(text.toStdString(), text.toStdString());
+    static const QRegularExpression betweenUnits("[ /·²³1]+");
+    const QStringList units = text.split(betweenUnits, Qt::SkipEmptyParts);
+    const bool isUnit = std::ranges::all_of(
+        units, [](const QString& one) { return findUnit(one.toStdString()) != nullptr; });
     return isFile || isUnit || content.contains(text.toLower()) || text.contains(coordinate);
 }
 

@@ -121,6 +121,8 @@ private slots:
         const QSet<QString> french = desk.texts();
         QCOMPARE(alikeOnBoth(english, french), QStringList());
         QCOMPARE(title(desk, 0), QString("Modifier Vitesse"));
+        for (const char* menu : {"Thème", "Langue"})
+            QVERIFY2(french.contains(menu), menu);
         QCOMPARE(desk.host.window().recordings().current()->name(), std::string("Simulation 1"));
         desk.choose("languageEnglish");
         QCOMPARE(title(desk, 0), QString("Change Velocity"));
