@@ -5,6 +5,7 @@
 #include "layers/grain_layer.h"
 #include "layers/vector_layer.h"
 #include "look/design_ghost.h"
+#include "look/loose_particles.h"
 #include "look/quantity_values.h"
 #include "look/trails.h"
 #include "look/vectors.h"
@@ -50,6 +51,21 @@ class TestSee : public QObject
     Q_OBJECT
 
 private slots:
+    // What a link or a panel holds is seen by it; a torn one holds nothing any more.
+    void whatNothingHoldsIsLoose()
+    {
+        Frame now = frame();
+        auto layout = std::make_shared<Layout>(*now.layout);
+        layout->particleId.push_back(14);
+        now.layout = layout;
+        now.position.push_back({9, 0, 0});
+        QCOMPARE(looseParticles(now), (std::vector<std::uint8_t>{0, 0, 0, 1}));
+        now.torn = {1, 1};
+        QCOMPARE(looseParticles(now), (std::vector<std::uint8_t>{0, 0, 0, 1})); // the panel
+        now.gone = {1};
+        QCOMPARE(looseParticles(now), (std::vector<std::uint8_t>{1, 1, 1, 1}));
+    }
+
     void tearLoad_data()
     {
         QTest::addColumn<int>("rule");

@@ -100,6 +100,40 @@ private slots:
         QVERIFY(!isReddish(view.middle()));
     }
 
+    // A particle that nothing holds has a dot, also where particles are not shown; the corners of
+    // fabric then have none.
+    void looseParticlesAreAlwaysDrawn()
+    {
+        Scene scene;
+        Part part;
+        part.particles.push_back({.id = Id{2}, .position = Vec3(0, 1, 0)});
+        scene.items = {{Id{1}, part}};
+        scene.nextId = Id{7};
+        View view(scene);
+        view.viewport.setParticlesShown(false);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        const auto picture = [&] { return view.viewport.image(Viewport::Overlays::Without); };
+        const QImage alone = picture();
+        view.viewport.setParticlesShown(true);
+        QCOMPARE(picture(), alone);
+        view.viewport.setParticlesShown(false);
+        view.document.push(setValue(scene, Id{1}, "shown", false));
+        QVERIFY(picture() != alone);
+
+        Scene held = redPanel();
+        for (Particle& corner : std::get<Part>(held.items[0].item).particles) {
+            corner.pinned = false;
+            corner.mass = corner.id == Id{2} ? 1.0 : 1e-3; // kg, this one is drawn as a weight
+        }
+        View fabric(held);
+        fabric.viewport.setParticlesShown(false);
+        QTRY_VERIFY(fabric.player.frame());
+        const QImage bare = fabric.viewport.image(Viewport::Overlays::Without);
+        fabric.viewport.setParticlesShown(true);
+        QVERIFY(fabric.viewport.image(Viewport::Overlays::Without) != bare);
+    }
+
     // Arrows stand on multiples of their step above the ground and show the wind of their place,
     // gust included.
     void windFieldIsSampled()

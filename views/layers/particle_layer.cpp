@@ -1,4 +1,8 @@
+// Points are drawn by the cells that have them: rebuild() makes the cells of all particles that are
+// shown and of those that nothing holds, and takeCells() gives the drawing one of the two.
 #include "layers/particle_layer.h"
+
+#include "look/loose_particles.h"
 
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
@@ -36,13 +40,37 @@ void ParticleLayer::addTo(vtkRenderer& renderer) { renderer.AddActor(m_actor); }
 
 void ParticleLayer::rebuild(const Picture& picture)
 {
-    std::vector<std::array<int, 1>> drawn;
+    const std::vector<std::uint8_t> isLoose = looseParticles(picture.frame);
+    std::vector<std::array<int, 1>> all;
+    std::vector<std::array<int, 1>> loose;
     for (std::size_t i = 0; i < picture.look.particleShown.size(); ++i)
-        if (picture.look.particleShown[i])
-            drawn.push_back({int(i)});
-    m_data->SetVerts(cellsOf<1>(drawn));
+        if (picture.look.particleShown[i]) {
+            all.push_back({int(i)});
+            if (isLoose[i])
+                loose.push_back({int(i)});
+        }
+    m_all = cellsOf<1>(all);
+    m_loose = cellsOf<1>(loose);
+    m_pixelRatio = picture.pixelRatio;
+    takeCells();
+}
+
+void ParticleLayer::setShown(bool shown)
+{
+    m_isShown = shown;
+    takeCells();
+}
+
+void ParticleLayer::takeCells()
+{
+    vtkCellArray* const drawn = m_isShown ? m_all : m_loose;
+    const vtkIdType count = drawn ? drawn->GetNumberOfCells() : 0; // none before rebuild()
+    m_actor->SetVisibility(count > 0);
+    if (count == 0)
+        return;
+    m_data->SetVerts(drawn);
     m_actor->GetProperty()->SetPointSize(
-        float(picture.pixelRatio * (drawn.size() > many ? manySize : particleSize)));
+        float(m_pixelRatio * (std::size_t(count) > many ? manySize : particleSize)));
 }
 
 void ParticleLayer::update(const Picture& picture)

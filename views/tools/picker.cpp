@@ -8,6 +8,7 @@
 #include "tools/picker.h"
 
 #include "camera/occlusion.h"
+#include "look/loose_particles.h"
 
 #include <Eigen/Geometry>
 
@@ -40,9 +41,11 @@ std::vector<Near> particlesNear(const Picker& picker, std::span<const OnScreen> 
 {
     std::vector<Near> found;
     const Layout& layout = *picker.view.frame.layout;
+    const std::vector<std::uint8_t> isLoose = looseParticles(picker.view.frame);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double dx = points[i].x - x, dy = points[i].y - y;
-        const double reach = picker.pickable.hasDot(layout.pinned[i]) ? particleReach : cornerReach;
+        const double reach =
+            picker.pickable.hasDot(layout.pinned[i], isLoose[i]) ? particleReach : cornerReach;
         if (points[i].isSeen() && dx * dx + dy * dy < reach * reach
             && picker.view.look.particleShown[i] && picker.pickable.particles())
             found.push_back({std::hypot(dx, dy), i, 0.0});

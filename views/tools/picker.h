@@ -28,7 +28,8 @@ struct Pickable
     bool panels() const { return wanted.panels && drawn.panels; }
     // Also where particles have no dots: the corners of fabric are there to be seen.
     bool particles() const { return wanted.particles; }
-    bool hasDot(bool pinned) const { return drawn.particles || pinned; } // pins are always drawn
+    // Pins, and what nothing holds, are always drawn.
+    bool hasDot(bool pinned, bool loose) const { return drawn.particles || pinned || loose; }
 };
 
 // What was found: an element of the frame, or a collider.
