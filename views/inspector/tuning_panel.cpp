@@ -16,14 +16,34 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
 
 namespace ripstop {
 namespace {
+
+// Ends in an ellipsis rather than ask for more room: a dock that grew while a slider is dragged
+// would take the handle from under the mouse.
+class ElidedLabel final : public QLabel
+{
+public:
+    QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+private:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        const QRect room = contentsRect();
+        const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
+        style()->drawItemText(&painter, room, int(alignment()), palette(), isEnabled(), shown,
+                              foregroundRole());
+    }
+};
 
 bool isAbout(const TuningRow& row, const Slider& slider)
 {
@@ -92,7 +112,7 @@ QWidget* TuningPanel::buildBar()
         m_letters[std::size_t(set)] = letter;
         layout->addWidget(letter);
     }
-    m_difference = new QLabel;
+    m_difference = new ElidedLabel;
     m_difference->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(m_difference, 1);
     auto* keep = new QPushButton(tr("&Keep"));
@@ -196,6 +216,7 @@ void TuningPanel::showSets()
     m_difference->setText(other.empty() ? QString()
                           : count == 0  ? tr("as %1").arg(name)
                                        : tr("%n differ(s) from %1", nullptr, int(count)).arg(name));
+    m_difference->setToolTip(m_difference->text());
 }
 
 TuningPanel::Set TuningPanel::captured() const
