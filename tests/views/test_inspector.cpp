@@ -279,6 +279,56 @@ private slots:
         QCOMPARE(form.value(Id{4}, "mass"), Value(0.01));
     }
 
+    // Links of a line that were made equal: what differs is an error of rounding, and no one reads
+    // it. A seventh digit is none of those that fields show; the sixth is.
+    void whatIsReadAlikeIsNotMixed()
+    {
+        Form form;
+        const auto set = [&](Id id, double length) {
+            form.document.push(setValue(form.document.scene(), id, "restLength", length));
+        };
+        for (const Id id : {Id{5}, Id{6}})
+            set(id, 0.1);
+        set(Id{7}, 0.1 + 2e-17);
+        set(Id{6}, std::nextafter(0.1, 1.0));
+        form.selection.set({Id{5}, Id{6}, Id{7}});
+        QCOMPARE(form.line("restLength")->text(), QString("0.1"));
+        set(Id{6}, 0.100001);
+        QVERIFY(form.line("restLength")->text().isEmpty());
+
+        form.selection.set({Id{3}, Id{4}});
+        for (const Id id : {Id{3}, Id{4}})
+            form.document.push(
+                setValue(form.document.scene(), id, "position", Vec3(1.0, 2.0, 3.0)));
+        form.document.push(
+            setValue(form.document.scene(), Id{4}, "position", Vec3(1.0 + 1e-15, 2.0, 3.5)));
+        QCOMPARE(form.line("position", 0)->text(), QString("1"));
+        QVERIFY(form.line("position", 2)->text().isEmpty());
+    }
+
+    // L / EA of a line of 0.25 m and 1000 N, and EA / L of it as a spring; of several lengths
+    // neither has a number.
+    void whatFollowsFromTheMaterialIsThatOfTheLink()
+    {
+        Form form;
+        const auto set = [&](Id id, const char* key, Value value) {
+            form.document.push(setValue(form.document.scene(), id, key, std::move(value)));
+        };
+        set(Id{9}, "axialStiffness", 1000.0);
+        for (const Id id : {Id{5}, Id{6}}) {
+            set(id, "role", std::string("line"));
+            set(id, "restLength", 0.25);
+        }
+        const auto told = [&](const char* key) {
+            return form.line(key)->placeholderText().replace(QChar(0x00a0), QChar(' '));
+        };
+        form.selection.set({Id{5}, Id{6}});
+        QCOMPARE(told("compliance"), QString("from material (0.25 mm/N)"));
+        QCOMPARE(told("stiffness"), QString("from material (4000 N/m)"));
+        set(Id{6}, "restLength", 0.5);
+        QCOMPARE(told("compliance"), QString("from material"));
+    }
+
     void relativeEditsKeepTheRatio()
     {
         Form form;

@@ -4,6 +4,7 @@
 // thing's own number, so that "*1.1" works on many things at once; arrow keys and the dragging of
 // the label are gestures (tuning.h). numberField() puts one such line over a slider, vectorField()
 // three of them, in a row or below each other. A number that is absent shows what it falls back to.
+#include "derived/link_stiffness.h"
 #include "document/document.h"
 #include "document/spoken.h"
 #include "document/words.h"
@@ -17,6 +18,7 @@
 #include <QResizeEvent>
 #include <QSlider>
 
+#include <cmath>
 #include <memory>
 
 namespace ripstop {
@@ -146,19 +148,39 @@ private:
     QBoxLayout* m_layout;
 };
 
-// What an absent value falls back to: "from material (100 N/m)".
+// What a link has of its material: stiffness and compliance follow from its length and its role
+// where the material has physical numbers.
+double ofItsMaterial(const Property& property, const Property& source, const Link& link,
+                     const Material& material)
+{
+    if (isOneOf<&Link::stiffness>(property))
+        return springStiffness(material, link);
+    if (isOneOf<&Link::compliance>(property))
+        return rodCompliance(material, link);
+    return std::get<double>(source.get(&material));
+}
+
+// What an absent value falls back to: "from material (100 N/m)"; without the number where the links
+// have several.
 QString inherited(const FieldPlace& place)
 {
     const Property* source = ofMaterial(place.property);
     if (!source)
         return words("none");
-    const Value id = Subject::common(propertyOf<&Link::material>(), place.subject.refs()).value;
     const Scene& scene = place.subject.document().scene();
-    const auto ref = std::holds_alternative<Id>(id) ? find(scene, std::get<Id>(id)) : std::nullopt;
-    if (!ref)
-        return words("from material");
-    return words("from material (%1)")
-        .arg(spokenText(std::get<double>(source->get(*ref)), source->unit));
+    std::optional<double> common;
+    for (const ConstRef& ref : place.subject.refs()) {
+        const Link& link = *std::get<const Link*>(ref);
+        const auto* material = findItem<Material>(scene, link.material);
+        const double value =
+            material ? ofItsMaterial(place.property, *source, link, *material) : std::nan("");
+        if (!std::isfinite(value) || (common && !readAlike(*common, value)))
+            return words("from material");
+        if (!common)
+            common = value;
+    }
+    return common ? words("from material (%1)").arg(spokenText(*common, source->unit))
+                  : words("from material");
 }
 
 } // namespace

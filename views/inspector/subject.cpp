@@ -11,8 +11,19 @@
 #include "scene/weigh.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ripstop {
+namespace {
+
+bool isSame(const Value& a, const Value& b)
+{
+    const double* first = std::get_if<double>(&a);
+    const double* second = std::get_if<double>(&b);
+    return first && second ? readAlike(*first, *second) : a == b;
+}
+
+} // namespace
 
 Transform setTo(Value value)
 {
@@ -71,6 +82,12 @@ void Subject::noteDirections(const Property& property)
             m_directions.note(property, id, property.get(*ref));
 }
 
+bool readAlike(double a, double b)
+{
+    constexpr double halfOfLastDigit = 5e-7; // of six that fields have
+    return a == b || std::abs(a - b) <= halfOfLastDigit * std::max(std::abs(a), std::abs(b));
+}
+
 Common Subject::common(const Property& property, const std::vector<ConstRef>& refs)
 {
     Common common;
@@ -84,9 +101,10 @@ Common Subject::common(const Property& property, const std::vector<ConstRef>& re
         common.isDefault = common.isDefault && value == property.initial;
         if (first)
             for (int axis = 0; axis < 3; ++axis)
-                common.mixed[std::size_t(axis)] |= (*first)[axis] != std::get<Vec3>(value)[axis];
+                common.mixed[std::size_t(axis)] |=
+                    !readAlike((*first)[axis], std::get<Vec3>(value)[axis]);
         else
-            common.mixed[0] = common.mixed[0] || value != common.value;
+            common.mixed[0] = common.mixed[0] || !isSame(common.value, value);
         if (!common.isDefault && common.mixed[0]
             && (!first || (common.mixed[1] && common.mixed[2])))
             break;

@@ -26,13 +26,17 @@ using Transform = std::function<Value(const Value&)>;
 Transform setTo(Value value);
 Transform transformOf(TypedNumber typed, int axis = 0); // of a number, or of one axis of a vector
 
-// The value of a property of several things.
+// The value of a property of several things. Numbers that are read as the same are the same: 40
+// links of a line have rest lengths that differ in the last bits only.
 struct Common
 {
     Value value;                 // the value of the first thing
     std::array<bool, 3> mixed{}; // by axis of a vector; all others use the first
     bool isDefault = true;       // all things have the default
 };
+
+// Whether the fields show both with the same digits, but for a half of the last one.
+bool readAlike(double a, double b);
 
 // The things whose properties a form shows, and the way in which its fields write to them.
 class Subject final : public QObject
