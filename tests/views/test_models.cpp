@@ -11,6 +11,7 @@
 #include "outline/outline_model.h"
 #include "table/sheet_model.h"
 #include "views/run_with_widgets.h"
+#include "views/small_scenes.h"
 
 #include "scene/property.h"
 
@@ -136,6 +137,33 @@ private slots:
             wind.gustiness = speed;
             QCOMPARE(itemDetail({}, wind), QString(name));
         }
+    }
+
+    // #17 is the thing with this id, or the table of a part that has an element of this id.
+    void numbersAreFound()
+    {
+        Desk desk(1);
+        desk.document.replace(oneOfEverything());
+        OutlineModel model(desk.document, desk.selection, nullptr);
+        OutlineFilter filter(model, nullptr);
+        const auto found = [&](const char* text) {
+            filter.search(text);
+            QStringList names;
+            QModelIndex at = filter.index(0, 0);
+            for (; at.isValid(); at = filter.index(0, 0, at)) {
+                names << at.data().toString();
+                if (filter.rowCount(at.parent()) != 1)
+                    names << "and others";
+            }
+            return names;
+        };
+        QCOMPARE(found("#6"), (QStringList{"Parts", "sail", "Links"}));
+        QCOMPARE(found(" #9 "), (QStringList{"Materials", "thread"}));
+        QCOMPARE(found("#77"), QStringList()); // there is none
+        filter.search({});
+        const int all = readAll(filter);
+        filter.search("#"); // a number is about to come
+        QCOMPARE(readAll(filter), all);
     }
 
     void outline_data()

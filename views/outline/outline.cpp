@@ -327,8 +327,13 @@ void Outline::search(const QString& text)
 {
     m_filter->search(text);
     // Lists are open, parts are closed: their tables are many and say little.
-    for (int row = 0; row < m_filter->rowCount(); ++row)
-        m_tree->expand(m_filter->index(row, 0));
+    const bool isOfElement = OutlineFilter::idIn(text).has_value(); // its table is to be seen
+    for (int row = 0; row < m_filter->rowCount(); ++row) {
+        const QModelIndex list = m_filter->index(row, 0);
+        m_tree->expand(list);
+        for (int child = 0; isOfElement && child < m_filter->rowCount(list); ++child)
+            m_tree->expand(m_filter->index(child, 0, list));
+    }
     const QScopedValueRollback syncing(m_syncing, false);
     showSelection();
 }

@@ -2,6 +2,8 @@
 
 #include "outline/outline_model.h"
 
+#include <algorithm>
+
 namespace ripstop {
 
 OutlineFilter::OutlineFilter(OutlineModel& model, QObject* parent)
@@ -15,7 +17,18 @@ OutlineFilter::OutlineFilter(OutlineModel& model, QObject* parent)
 void OutlineFilter::search(const QString& text)
 {
     m_text = text.trimmed();
+    if (m_text == QChar('#')) // a number is about to come
+        m_text.clear();
+    m_id = idIn(m_text);
     invalidateFilter();
+}
+
+std::optional<Id> OutlineFilter::idIn(const QString& text)
+{
+    const QString trimmed = text.trimmed();
+    bool isNumber = false;
+    const auto number = trimmed.mid(1).toUInt(&isNumber);
+    return trimmed.startsWith(QChar('#')) && isNumber ? std::optional(Id{number}) : std::nullopt;
 }
 
 bool OutlineFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
@@ -25,6 +38,11 @@ bool OutlineFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
     const OutlineModel::Node node = m_model.node(name);
     const QString detail =
         m_model.index(row, OutlineModel::Detail, parent).data(Qt::DisplayRole).toString();
+
+    if (m_id && node.sort == Sort::Table)
+        return std::ranges::binary_search(m_model.ids(name), *m_id);
+    if (m_id && node.sort == Sort::Thing && node.id == *m_id)
+        return true;
 
     // A list is there for what it holds, so that it comes back with its first matching item.
     if (node.sort == Sort::Section)

@@ -1,9 +1,14 @@
 // The outline without empty lists, and while something is searched for, without what differs.
 //
-// It stands between the model and the tree; lists stay while one of their items fits.
+// It stands between the model and the tree; lists stay while one of their items fits. #17 fits what
+// has the id 17, and the table that an element of this id is in.
 #pragma once
 
+#include "scene/id.h"
+
 #include <QSortFilterProxyModel>
+
+#include <optional>
 
 namespace ripstop {
 
@@ -17,13 +22,18 @@ class OutlineFilter final : public QSortFilterProxyModel
 public:
     OutlineFilter(OutlineModel& model, QObject* parent);
 
-    void search(const QString& text); // part of a name or of a detail, in any case of letters
+    // Part of a name or of a detail, in any case of letters; or the number of a thing.
+    void search(const QString& text);
+
+    // The id that is searched for: 17 of "#17". Nothing of other texts.
+    static std::optional<Id> idIn(const QString& text);
 
 private:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
     OutlineModel& m_model;
     QString m_text;
+    std::optional<Id> m_id; // of it, where it is a number
 };
 
 } // namespace ripstop
