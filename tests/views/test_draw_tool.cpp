@@ -168,6 +168,17 @@ private slots:
         QVERIFY(near(points.part().particles.back().position, {0.1, -0.4, 0.0}));
     }
 
+    // What comes next is said while something is under way, and taken back with it.
+    void asksForNothingOnceItIsGivenUp()
+    {
+        Board board(DrawTool::Shape::Links);
+        board.click({0, 0, 0});
+        QVERIFY(board.said.last().contains("where the link ends"));
+        QVERIFY(board.tool.cancel());
+        QCOMPARE(board.said.last(), QString());
+        QVERIFY(!board.tool.cancel());
+    }
+
     void goesOnAfterUndo()
     {
         Board board(DrawTool::Shape::Links);

@@ -89,6 +89,8 @@ bool DrawTool::cancel()
 {
     const bool was = !m_chain.empty();
     m_chain.clear();
+    if (was)
+        m_drawn({}); // what it has asked for is not wanted any more
     return was;
 }
 

@@ -46,7 +46,8 @@ class DrawTool final : public Tool
 public:
     using Shape = DrawSettings::Shape;
 
-    // `begin` is called before the design changes; `drawn` says what has been.
+    // `begin` is called before the design changes; `drawn` says what has been, and what comes next.
+    // With an empty text, what was said last holds no more.
     DrawTool(Shape shape, Document& document, DrawSettings& settings, std::function<void()> begin,
              std::function<void(const QString&)> drawn);
 
