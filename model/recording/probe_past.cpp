@@ -4,6 +4,7 @@
 
 #include "compile/compile.h"
 #include "measure/energy_ledger.h"
+#include "scene/property.h"
 #include "simulation/simulation.h"
 
 #include <algorithm>
@@ -15,14 +16,20 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The design with these probes alone; plots go with the probes that they are of.
+// The design with these probes alone, as far as it has what they are of: one that it lacks would
+// leave the others unread, too. Plots go with the probes that they are of.
 Scene withProbes(Scene scene, const std::vector<Entry>& probes)
 {
     std::erase_if(scene.items, [](const Entry& entry) {
         return std::holds_alternative<Probe>(entry.item)
                || std::holds_alternative<Plot>(entry.item);
     });
-    scene.items.insert(scene.items.end(), probes.begin(), probes.end());
+    const auto isThere = [&](Id id) { return id == noId || find(scene, id); };
+    for (const Entry& entry : probes) {
+        const auto& probe = std::get<Probe>(entry.item);
+        if (isThere(probe.target) && isThere(probe.from) && isThere(probe.side))
+            scene.items.push_back(entry);
+    }
     return scene;
 }
 

@@ -113,6 +113,12 @@ private slots:
         const ProbePast stranger = probePast(*recording, {probe(8, Quantity::PositionY, Id{15})});
         for (const double value : stranger.value[0])
             QVERIFY(std::isnan(value));
+        // nor does it keep the others from being read
+        const ProbePast both = probePast(
+            *recording, {probe(8, Quantity::PositionY, Id{15}), probe(9, Quantity::PositionY)});
+        QVERIFY(!both.time.empty());
+        for (std::size_t i = 0; i < both.time.size(); ++i)
+            QVERIFY(std::isnan(both.value[0][i]) && std::isfinite(both.value[1][i]));
         // works are added up from when they are asked for
         const ProbePast work = probePast(*recording, {probe(8, Quantity::WorkOfAir, noId)});
         for (const double value : work.value[0])
