@@ -25,13 +25,19 @@
 #include <algorithm>
 
 namespace ripstop {
-namespace {
 
-// Ends in an ellipsis rather than ask for more room: a dock that grew while a slider is dragged
-// would take the handle from under the mouse.
-class ElidedLabel final : public QLabel
+// Shows its short text where there is no room for the long one, and asks for no more of it: a dock
+// that grew while a slider is dragged would take the handle from under the mouse.
+class DifferenceLabel final : public QLabel
 {
 public:
+    void say(const QString& text, const QString& inShort)
+    {
+        m_short = inShort;
+        setText(text);
+        setToolTip(text);
+        update();
+    }
     QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
 
 private:
@@ -39,11 +45,15 @@ private:
     {
         QPainter painter(this);
         const QRect room = contentsRect();
-        const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
-        style()->drawItemText(&painter, room, int(alignment()), palette(), isEnabled(), shown,
-                              foregroundRole());
+        const bool fits = fontMetrics().horizontalAdvance(text()) <= room.width();
+        style()->drawItemText(&painter, room, int(alignment()), palette(), isEnabled(),
+                              fits ? text() : m_short, foregroundRole());
     }
+
+    QString m_short;
 };
+
+namespace {
 
 bool isAbout(const TuningRow& row, const Slider& slider)
 {
@@ -112,7 +122,7 @@ QWidget* TuningPanel::buildBar()
         m_letters[std::size_t(set)] = letter;
         layout->addWidget(letter);
     }
-    m_difference = new ElidedLabel;
+    m_difference = new DifferenceLabel;
     m_difference->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(m_difference, 1);
     auto* keep = new QPushButton(tr("&Keep"));
@@ -213,10 +223,12 @@ void TuningPanel::showSets()
     const Set& other = m_sets[std::size_t(1 - m_active)];
     const QString name = m_active == 0 ? tr("B") : tr("A");
     const auto count = restoring(other, {}).changes.size();
-    m_difference->setText(other.empty() ? QString()
-                          : count == 0  ? tr("as %1").arg(name)
-                                       : tr("%n differ(s) from %1", nullptr, int(count)).arg(name));
-    m_difference->setToolTip(m_difference->text());
+    const QString difference = other.empty() ? QString()
+                               : count == 0
+                                   ? tr("as %1").arg(name)
+                                   : tr("%n differ(s) from %1", nullptr, int(count)).arg(name);
+    m_difference->say(difference,
+                      count == 0 ? difference : QStringLiteral("%1 ≠ %2").arg(count).arg(name));
 }
 
 TuningPanel::Set TuningPanel::captured() const

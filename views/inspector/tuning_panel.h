@@ -15,13 +15,13 @@
 #include <array>
 #include <memory>
 
-class QLabel;
 class QPushButton;
 class QToolButton;
 class QVBoxLayout;
 
 namespace ripstop {
 
+class DifferenceLabel;
 class Document;
 class Selection;
 class SliderShelf;
@@ -76,7 +76,7 @@ private:
     QWidget* m_empty = nullptr;
     QVBoxLayout* m_list = nullptr;
     std::array<QToolButton*, 2> m_letters{};
-    QLabel* m_difference = nullptr;
+    DifferenceLabel* m_difference = nullptr;
     QPushButton* m_reset = nullptr;
 };
 
