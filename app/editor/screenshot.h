@@ -1,11 +1,10 @@
 // Takes the pictures that the command line asked for, and ends the program.
 //
 // It flies the scene as fast as it can to each of the times, or looks back at a recording there,
-// waits until docks, view and dialogs
-// have their sizes, and saves the window, the view alone, or the window with the dialog of an
-// action over it. main() makes it when --screenshot is given; it lives on the thread of the window
-// and works from a timer. It ends the program with exit code 0 when all are saved, 1 when a file
-// could not be written, and 3 when the run stopped.
+// waits until docks, view and dialogs have their sizes, and saves the window, the view alone, or
+// the window with the dialog of an action over it. main() makes it when --screenshot is given; it
+// lives on the thread of the window and works from a timer. It ends the program with exit code 0
+// when all are saved, 1 when a file could not be written, and 3 when the run stopped.
 #pragma once
 
 #include "editor/options.h"

@@ -9008,13 +9008,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>%1 links are beyond the tear limit at the start and will tear in the first step.</source>
-        <translation>%1 liaisons dépassent la limite de rupture au départ et rompront au premier pas.</translation>
+        <source>%1 links are beyond the tear limit at the start: the first step tears them, or throws their ends together.</source>
+        <translation>%1 liaisons dépassent leur limite de rupture au départ : le premier pas les rompt, ou rejette leurs bouts l’un vers l’autre.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>%1 links are longer at the start than at rest by more than %2 %, up to %3 %.</source>
-        <translation>%1 liaisons sont plus longues au départ qu’au repos de plus de %2 %, jusqu’à %3 %.</translation>
+        <source>%1 links are longer or shorter at the start than at rest by more than %2 %, up to %3 %.</source>
+        <translation>%1 liaisons sont plus longues ou plus courtes au départ qu’au repos de plus de %2 %, jusqu’à %3 %.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9053,13 +9053,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>1 link is beyond the tear limit at the start and will tear in the first step.</source>
-        <translation>1 liaison dépasse la limite de rupture au départ et rompra au premier pas.</translation>
+        <source>1 link is beyond the tear limit at the start: the first step tears it, or throws its ends together.</source>
+        <translation>1 liaison dépasse sa limite de rupture au départ : le premier pas la rompt, ou rejette ses bouts l’un vers l’autre.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>1 link is longer at the start than at rest by more than %1 %, up to %2 %.</source>
-        <translation>1 liaison est plus longue au départ qu’au repos de plus de %1 %, jusqu’à %2 %.</translation>
+        <source>1 link is longer or shorter at the start than at rest by more than %1 %, up to %2 %.</source>
+        <translation>1 liaison est plus longue ou plus courte au départ qu’au repos de plus de %1 %, jusqu’à %2 %.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9133,8 +9133,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>Links are at most %1 % longer at the start than at rest.</source>
-        <translation>Les liaisons sont au plus %1 % plus longues au départ qu’au repos.</translation>
+        <source>Links are as long at the start as at rest, or slack.</source>
+        <translation>Les liaisons sont aussi longues au départ qu’au repos, ou lâches.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Links are at most %1 % longer or shorter at the start than at rest.</source>
+        <translation>Les liaisons sont au départ plus longues ou plus courtes qu’au repos de %1 % au plus.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9150,11 +9155,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="stability.cpp"/>
         <source>Masses</source>
         <translation>Masses</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>No link is longer at the start than at rest.</source>
-        <translation>Aucune liaison n’est plus longue au départ qu’au repos.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -16822,8 +16822,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="transport.cpp"/>
-        <source>Swings of up to %1 Hz are told within 1 % at this step; faster ones come out with another frequency, or die away. A shorter time step tells them.</source>
-        <translation>Les oscillations jusqu’à %1 Hz sont rendues à 1 % près avec ce pas ; les plus rapides prennent une autre fréquence, ou s’éteignent. Un pas de temps plus court les rend.</translation>
+        <source>Swings of up to %1 Hz keep their frequency within 1 % at this step, and their height from one to the next; faster ones come out with another frequency, or die away. A shorter time step tells them.</source>
+        <translation>À ce pas, les oscillations jusqu’à %1 Hz gardent leur fréquence à 1 % près, et leur hauteur de l’une à la suivante ; les plus rapides sortent à une autre fréquence, ou s’éteignent. Un pas de temps plus court les rend.</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>
@@ -17085,13 +17085,13 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="typed_parameters.cpp"/>
-        <source>%1 is given twice.</source>
-        <translation>%1 est donné deux fois.</translation>
+        <source>%1 %2, not "%3".</source>
+        <translation>%1 %2, et non « %3 ».</translation>
     </message>
     <message>
         <location filename="typed_parameters.cpp"/>
-        <source>%1 must be a number, not "%2".</source>
-        <translation>%1 doit être un nombre, et non « %2 ».</translation>
+        <source>%1 is given twice.</source>
+        <translation>%1 est donné deux fois.</translation>
     </message>
     <message>
         <location filename="typed_parameters.cpp"/>
