@@ -52,12 +52,16 @@ MeshAppearance::MeshAppearance(const Scene& scene)
             m_texture.emplace_back(std::uint32_t(row.id), TexturePoint{row.textureU, row.textureV});
             isTextured = isTextured || row.textureU != 0.0 || row.textureV != 0.0;
         }
-        for (const Panel& row : part.panels) {
+        const auto takeFabric = [&](const auto& row) {
             const std::size_t* fabric = find(materials, std::uint32_t(row.material));
             m_fabricOf.emplace_back(std::uint32_t(row.id), fabric ? *fabric : 0);
-        }
+        };
+        for (const Panel& row : part.panels)
+            takeFabric(row);
         for (const Link& row : part.links)
-            if (row.role != LinkRole::Line)
+            if (row.role == LinkRole::Line)
+                takeFabric(row);
+            else
                 m_threads.push_back(std::uint32_t(row.id));
     });
     if (!isTextured)
@@ -80,9 +84,9 @@ MeshAppearance::TexturePoint MeshAppearance::printOf(std::size_t fabric,
     return point ? *point : TexturePoint{};
 }
 
-std::size_t MeshAppearance::fabricOf(std::uint32_t panel) const
+std::size_t MeshAppearance::fabricOf(std::uint32_t element) const
 {
-    const std::size_t* fabric = find(m_fabricOf, panel);
+    const std::size_t* fabric = find(m_fabricOf, element);
     return fabric ? *fabric : 0;
 }
 

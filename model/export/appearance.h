@@ -36,7 +36,7 @@ public:
 
     const std::string& name() const { return m_name; } // of the scene's first part
     const std::vector<Fabric>& fabrics() const { return m_fabrics; }
-    std::size_t fabricOf(std::uint32_t panel) const; // by id; index into fabrics()
+    std::size_t fabricOf(std::uint32_t element) const; // panel or link, by id; index into fabrics()
 
     // Whether a link is one by itself, a line or a spar, and no thread of the fabric. By id.
     bool isLine(std::uint32_t link) const;

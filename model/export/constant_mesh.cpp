@@ -70,6 +70,7 @@ Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const MeshAppearance& a
         mesh.m_surface.lines.push_back(
             {mesh.vertexAt(std::size_t(link.a), {Source::Of::Link, i, 0, mayGo}),
              mesh.vertexAt(std::size_t(link.b), {Source::Of::Link, i, 1, mayGo})});
+        mesh.m_surface.lineFabric.push_back(appearance.fabricOf(link.id));
     }
     if (mesh.m_vertices.empty())
         return Failure{"The scene has neither fabric nor lines, so there is nothing to show."};

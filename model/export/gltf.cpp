@@ -150,7 +150,19 @@ void addMaterials(Builder& builder, const Surface& surface)
 
 enum class Normals { Given, Left };
 
-// One primitive for the panels of each fabric and one for the lines, all on the same vertices.
+// The vertices of what is made of a fabric, one after the other.
+template <std::size_t count>
+std::vector<std::uint32_t> madeOf(std::size_t fabric, const std::vector<std::size_t>& fabrics,
+                                  const std::vector<std::array<int, count>>& elements)
+{
+    std::vector<std::uint32_t> vertices;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (fabrics[i] == fabric)
+            vertices.insert(vertices.end(), elements[i].begin(), elements[i].end());
+    return vertices;
+}
+
+// One primitive for the panels of each fabric and one for its lines, all on the same vertices.
 tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
 {
     constexpr int vertices = TINYGLTF_TARGET_ARRAY_BUFFER;
@@ -174,10 +186,7 @@ tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
     tinygltf::Mesh mesh;
     mesh.name = surface.name;
     for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric) {
-        std::vector<std::uint32_t> corners;
-        for (std::size_t i = 0; i < surface.panels.size(); ++i)
-            if (surface.fabric[i] == fabric)
-                corners.insert(corners.end(), surface.panels[i].begin(), surface.panels[i].end());
+        const auto corners = madeOf(fabric, surface.fabric, surface.panels);
         if (corners.empty())
             continue;
         mesh.primitives.push_back(common);
@@ -187,15 +196,15 @@ tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
         if (surface.isPrinted(fabric))
             mesh.primitives.back().attributes["TEXCOORD_0"] = addTexture(surface.prints[fabric]);
     }
-    if (!surface.lines.empty()) {
-        std::vector<std::uint32_t> ends;
-        for (const auto& line : surface.lines)
-            ends.insert(ends.end(), line.begin(), line.end());
+    for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric) {
+        const auto ends = madeOf(fabric, surface.lineFabric, surface.lines);
+        if (ends.empty())
+            continue;
         mesh.primitives.push_back(common);
         mesh.primitives.back().attributes.erase("NORMAL");
         mesh.primitives.back().mode = TINYGLTF_MODE_LINE;
         mesh.primitives.back().indices = builder.addIndices(ends);
-        mesh.primitives.back().material = 0;
+        mesh.primitives.back().material = int(fabric);
     }
     return mesh;
 }

@@ -25,8 +25,10 @@ Surface surfaceOf(const Frame& frame, const MeshAppearance& appearance)
     }
     for (const std::size_t i : whole.links) {
         const Layout::Link& link = layout.links[i];
-        if (appearance.isLine(link.id))
-            surface.lines.push_back({link.a, link.b});
+        if (!appearance.isLine(link.id))
+            continue;
+        surface.lines.push_back({link.a, link.b});
+        surface.lineFabric.push_back(appearance.fabricOf(link.id));
     }
     return surface;
 }

@@ -21,6 +21,7 @@ struct Surface
     std::vector<std::array<int, 3>> panels; // corners, counter-clockwise seen from the front
     std::vector<std::size_t> fabric;        // [panels] index into `fabrics`
     std::vector<std::array<int, 2>> lines;  // links but for the threads of fabric
+    std::vector<std::size_t> lineFabric;    // [lines] index into `fabrics`
     std::vector<MeshAppearance::Fabric> fabrics;
 
     bool isPrinted(std::size_t one) const { return one < prints.size() && !prints[one].empty(); }

@@ -17,6 +17,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QtEndian>
 #include <QtTest>
@@ -279,6 +282,27 @@ private slots:
         for (const char* name : {"a.glb", "a.stl", "a.dae"})
             QVERIFY(writeMoment(frame, MeshAppearance(), folder.filePath(name).toStdString()));
         QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    // Lines of several materials are a primitive (mode 1 of glTF 2.0, LINES) for each.
+    void linesHaveTheirMaterials()
+    {
+        QTemporaryDir folder;
+        Scene scene = kite();
+        scene.items.push_back({Id{2}, Material{"cord"}});
+        scene.items.push_back({Id{3}, Material{"bridle"}});
+        Part& part = std::get<Part>(scene.items[0].item);
+        part.links[0].material = Id{2};
+        part.links[1].material = Id{3};
+        const QString path = folder.filePath("kite.gltf");
+        QVERIFY(!writeSeries(tearing(scene), MeshAppearance(scene), path.toStdString()));
+        const QJsonObject model = QJsonDocument::fromJson(contentOf(path)).object();
+        QStringList names;
+        for (const QJsonValue mesh : model["meshes"].toArray())
+            for (const QJsonValue primitive : mesh["primitives"].toArray())
+                if (primitive["mode"].toInt() == 1)
+                    names << model["materials"][primitive["material"].toInt()]["name"].toString();
+        QCOMPARE(names, (QStringList{"cord", "bridle"}));
     }
 
     // What was there stays until the new one is whole.
