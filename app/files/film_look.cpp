@@ -50,12 +50,11 @@ void paintCaption(QImage& picture, const Frame& frame, const FilmLook& look)
     QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
     font.setPixelSize(std::max(10, picture.height() / 36));
     painter.setFont(font);
-    const QFontMetrics metrics = painter.fontMetrics();
-    const int margin = metrics.height() / 2;
-    int width = 0;
-    for (const QString& line : lines)
-        width = std::max(width, metrics.horizontalAdvance(line));
-    const QRect text(2 * margin, 2 * margin, width, int(lines.size()) * metrics.lineSpacing());
+    const int margin = painter.fontMetrics().height() / 2;
+    constexpr int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextDontClip;
+    const QString caption = lines.join('\n');
+    const QRect text =
+        painter.boundingRect(picture.rect().translated(2 * margin, 2 * margin), flags, caption);
 
     // the caption is dark on a light field, so that it can be read on any background
     painter.setPen(Qt::NoPen);
@@ -63,7 +62,7 @@ void paintCaption(QImage& picture, const Frame& frame, const FilmLook& look)
     painter.drawRoundedRect(text.adjusted(-margin, -margin / 2, margin, margin / 2), margin / 2.0,
                             margin / 2.0);
     painter.setPen(QColor(32, 36, 44));
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignTop, lines.join('\n'));
+    painter.drawText(text, flags, caption);
 }
 
 } // namespace ripstop

@@ -87,6 +87,36 @@ class TestFilm : public QObject
     Q_OBJECT
 
 private slots:
+    // Each row of the caption is as far below the one before, the last one as well, and stands in
+    // the field that is behind it: the lowest dark pixel goes down evenly, and light is below it.
+    void captionHasRoomForAllRows()
+    {
+        auto layout = std::make_shared<Layout>();
+        Frame frame;
+        std::vector<int> lowest, bottom; // pixels, of the letters and of the field
+        for (int rows = 1; rows <= 8; ++rows) {
+            layout->probes.push_back({std::uint32_t(rows), "gpq", "m", true});
+            frame.probe.push_back(1.0);
+            frame.layout = layout;
+            QImage picture(400, 300, QImage::Format_RGB32);
+            picture.fill(QColor(120, 120, 120));
+            paintCaption(picture, frame, {.time = false, .probes = true});
+            lowest.push_back(0);
+            bottom.push_back(0);
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x) {
+                    const int grey = qGray(picture.pixel(x, y));
+                    lowest.back() = grey < 80 ? y : lowest.back();
+                    bottom.back() = grey > 180 ? y : bottom.back();
+                }
+            QVERIFY(bottom.back() > lowest.back());
+        }
+        const double each = (lowest.back() - lowest.front()) / 7.0;
+        for (std::size_t i = 1; i < lowest.size(); ++i)
+            QVERIFY2(std::abs(lowest[i] - lowest[i - 1] - each) <= 1.0,
+                     qPrintable(QString::number(i)));
+    }
+
     void captionSaysSharesInPercent()
     {
         Scene scene;
