@@ -110,6 +110,10 @@ private slots:
                                    : has(propertyOf<&Material::warpStrength>())
                                          && has(propertyOf<&Material::weftStrength>());
             QVERIFY2(known || !preset.note.empty(), preset.name.c_str());
+            const PresetNumber* rule = findNumber(preset, propertyOf<&Material::tearRule>());
+            if (preset.kind == PresetKind::Line && known) // all break alike
+                QVERIFY2(rule && rule->value == Value(std::string("strength")),
+                         preset.name.c_str());
         }
     }
 
