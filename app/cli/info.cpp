@@ -138,8 +138,9 @@ void printTable(const Json& info)
     if (!info["bounds"].is_null())
         row("bounds",
             textOf(info["bounds"]["low"]) + " to " + textOf(info["bounds"]["high"]) + " m");
-    row("time step", shortNumber(info["time_step"]) + " s in " + count("substeps") + " substeps");
-    const bool chosen = !info["solver_choice"].is_null();
+    const bool chosen = !info["solver_choice"].is_null(); // with substeps of its own
+    row("time step", shortNumber(info["time_step"]) + " s"
+                         + (chosen ? "" : " in " + count("substeps") + " substeps"));
     row("rod solver", info["solver"].get<std::string>()
                           + (chosen ? ": " + info["solver_choice"].get<std::string>() : ""));
     if (!info["stable_time_step"].is_null())

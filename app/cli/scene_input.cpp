@@ -114,7 +114,7 @@ void tellIdle(const Scene& scene, const std::string& file, const std::vector<std
 {
     for (const std::string& path : idleAmong(scene, paths))
         std::cerr << "ripstop-cli: warning: " << file << ": " << path
-                  << " changes nothing of this design: every run is the same flight.\n";
+                  << " changes nothing of this design.\n";
 }
 
 } // namespace ripstop

@@ -6,8 +6,6 @@
 #include <QStringList>
 
 namespace ripstop {
-namespace {} // namespace
-
 QString textOf(const DesignFigures& figures)
 {
     const QString point = QStringLiteral(" \u00b7 ");
@@ -32,9 +30,12 @@ QString textOf(const DesignFigures& figures)
               << words("aspect ratio %1").arg(QLocale().toString(*figures.aspect, 'g', 3));
     else
         shape << box;
-    shape << words("%1 substeps of %2")
-                 .arg(figures.substeps)
-                 .arg(spokenText(figures.timeStep / figures.substeps, "s"));
+    if (figures.substeps > 0)
+        shape << words("%1 substeps of %2")
+                     .arg(QString::number(figures.substeps),
+                          spokenText(figures.timeStep / figures.substeps, "s"));
+    else
+        shape << words("steps of %1").arg(spokenText(figures.timeStep, "s"));
     return counts.join(point) + QChar('\n') + sizes.join(point) + QChar('\n') + shape.join(point);
 }
 

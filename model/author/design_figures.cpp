@@ -77,7 +77,7 @@ DesignFigures designFiguresOf(const Scene& scene, Family family)
     const double seen = 0.5 * std::hypot(doubled.x(), doubled.y());
     if (family == Family::Wings && seen > 0.0)
         figures.aspect = figures.span * figures.span / seen;
-    figures.substeps = scene.settings.substeps;
+    figures.substeps = scene.settings.solver == Solver::Auto ? 0 : scene.settings.substeps;
     figures.timeStep = scene.settings.timeStep;
     return figures;
 }

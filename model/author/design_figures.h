@@ -20,7 +20,7 @@ struct DesignFigures
     double lineLength = 0.0;      // m, of links that only pull, are seen and edge no panel
     double span = 0.0;            // m, of the panels, along z
     std::optional<double> aspect; // 1, of wings: span^2 over the area seen along the lift
-    int substeps = 0;             // of a time step
+    int substeps = 0;             // of a time step; 0 where the solver chooses them
     double timeStep = 0.0;        // s
 };
 

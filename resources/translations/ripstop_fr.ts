@@ -2639,6 +2639,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>allongement %1</translation>
     </message>
     <message>
+        <location filename="figures_text.cpp"/>
+        <source>steps of %1</source>
+        <translation>pas de %1</translation>
+    </message>
+    <message>
         <location filename="file_rows.cpp"/>
         <source>&amp;Export…</source>
         <translation>E&amp;xporter…</translation>
