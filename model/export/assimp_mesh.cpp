@@ -70,23 +70,22 @@ std::unique_ptr<aiMaterial> materialOf(const MeshAppearance::Fabric& fabric)
     return material;
 }
 
-// One mesh for the panels of each fabric, and one for the lines, which have the first fabric.
+// One mesh for the panels of each fabric, and one for its lines.
 std::unique_ptr<aiScene> sceneOf(const Surface& surface, bool withLines)
 {
     const std::vector<Vec3> normals = normalsOf(surface);
     std::vector<std::unique_ptr<aiMesh>> meshes;
-    for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric) {
-        std::vector<std::array<int, 3>> panels;
-        for (std::size_t i = 0; i < surface.panels.size(); ++i)
-            if (surface.fabric[i] == fabric)
-                panels.push_back(surface.panels[i]);
-        if (panels.empty())
-            continue;
-        meshes.push_back(meshOf(surface, normals, panels, surface.fabrics[fabric].name));
+    const auto add = [&](std::size_t fabric, const auto& elements) {
+        if (elements.empty())
+            return;
+        meshes.push_back(meshOf(surface, normals, elements, surface.fabrics[fabric].name));
         meshes.back()->mMaterialIndex = unsigned(fabric);
+    };
+    for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric) {
+        add(fabric, madeOf(fabric, surface.fabric, surface.panels));
+        if (withLines)
+            add(fabric, madeOf(fabric, surface.lineFabric, surface.lines));
     }
-    if (withLines && !surface.lines.empty())
-        meshes.push_back(meshOf(surface, normals, surface.lines, "lines"));
 
     auto scene = std::make_unique<aiScene>();
     scene->mNumMaterials = unsigned(surface.fabrics.size());

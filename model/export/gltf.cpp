@@ -150,15 +150,13 @@ void addMaterials(Builder& builder, const Surface& surface)
 
 enum class Normals { Given, Left };
 
-// The vertices of what is made of a fabric, one after the other.
+// The vertices of panels or lines, one after the other.
 template <std::size_t count>
-std::vector<std::uint32_t> madeOf(std::size_t fabric, const std::vector<std::size_t>& fabrics,
-                                  const std::vector<std::array<int, count>>& elements)
+std::vector<std::uint32_t> verticesOf(const std::vector<std::array<int, count>>& elements)
 {
     std::vector<std::uint32_t> vertices;
-    for (std::size_t i = 0; i < elements.size(); ++i)
-        if (fabrics[i] == fabric)
-            vertices.insert(vertices.end(), elements[i].begin(), elements[i].end());
+    for (const std::array<int, count>& element : elements)
+        vertices.insert(vertices.end(), element.begin(), element.end());
     return vertices;
 }
 
@@ -186,7 +184,7 @@ tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
     tinygltf::Mesh mesh;
     mesh.name = surface.name;
     for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric) {
-        const auto corners = madeOf(fabric, surface.fabric, surface.panels);
+        const auto corners = verticesOf(madeOf(fabric, surface.fabric, surface.panels));
         if (corners.empty())
             continue;
         mesh.primitives.push_back(common);
@@ -197,7 +195,7 @@ tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
             mesh.primitives.back().attributes["TEXCOORD_0"] = addTexture(surface.prints[fabric]);
     }
     for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric) {
-        const auto ends = madeOf(fabric, surface.lineFabric, surface.lines);
+        const auto ends = verticesOf(madeOf(fabric, surface.lineFabric, surface.lines));
         if (ends.empty())
             continue;
         mesh.primitives.push_back(common);

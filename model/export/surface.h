@@ -35,6 +35,19 @@ Surface surfaceOf(const Frame& frame, const MeshAppearance& appearance);
 void takePrints(Surface& surface, const MeshAppearance& appearance,
                 std::span<const std::uint32_t> particle);
 
+// What is made of one of the fabrics, of panels with `fabric` or of lines with `lineFabric`.
+template <std::size_t count>
+std::vector<std::array<int, count>> madeOf(std::size_t fabric,
+                                           const std::vector<std::size_t>& fabrics,
+                                           const std::vector<std::array<int, count>>& elements)
+{
+    std::vector<std::array<int, count>> made;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (fabrics[i] == fabric)
+            made.push_back(elements[i]);
+    return made;
+}
+
 // Of unit length, the mean of the panels around by their areas; zero where there is none.
 std::vector<Vec3> normalsOf(const Surface& surface);
 
