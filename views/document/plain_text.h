@@ -10,13 +10,16 @@
 
 namespace ripstop {
 
+// As HTML that shows the characters of the text, to stand in more of it.
+inline QString asHtml(const QString& text)
+{
+    return text.toHtmlEscaped().replace(QChar('\n'), QStringLiteral("<br>"));
+}
+
 // For a tip or a message: what is shown has the characters of the text.
 inline QString shownAsIs(const QString& text)
 {
-    if (!Qt::mightBeRichText(text))
-        return text;
-    return QStringLiteral("<qt>%1</qt>")
-        .arg(text.toHtmlEscaped().replace(QChar('\n'), QStringLiteral("<br>")));
+    return Qt::mightBeRichText(text) ? QStringLiteral("<qt>%1</qt>").arg(asHtml(text)) : text;
 }
 
 // For an entry of a menu, or a button.

@@ -33,11 +33,6 @@
 namespace ripstop {
 namespace {
 
-QString richText(const std::string& text)
-{
-    return QString::fromStdString(text).toHtmlEscaped().replace('\n', "<br>");
-}
-
 QLabel* smallPrint()
 {
     auto* label = new QLabel;
@@ -198,7 +193,8 @@ void PresetChooser::fillMenu()
             inMenu(text) + strengthColumn(preset), this, [this, &preset] { apply(preset); });
         action->setCheckable(&preset == current);
         action->setChecked(&preset == current);
-        action->setToolTip(QStringLiteral("<qt>%1</qt>").arg(richText(sourcesOf(preset))));
+        action->setToolTip(
+            QStringLiteral("<qt>%1</qt>").arg(asHtml(QString::fromStdString(sourcesOf(preset)))));
     };
     for (const Preset& preset : allPresets())
         add(preset, translated(preset.label));

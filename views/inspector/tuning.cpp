@@ -117,14 +117,10 @@ QSlider* makeSlider(Subject& subject, const Property& property, std::function<Sl
     bar->setToolTip(words("Drag to tune %1 while it flies.").arg(labelOf(property).toLower()));
 
     const auto dragging = std::make_shared<Dragging>(subject, property);
-    const auto begin = [dragging, &subject, &property] {
-        subject.noteDirections(property);
-        dragging->begin();
-    };
-    QObject::connect(bar, &QSlider::sliderPressed, bar, begin);
+    QObject::connect(bar, &QSlider::sliderPressed, bar, [=] { dragging->begin(); });
     QObject::connect(bar, &QSlider::valueChanged, bar, [=](int position) {
         if (!bar->isSliderDown())
-            begin(); // a key or a click beside the handle
+            dragging->begin(); // a key or a click beside the handle
         const auto snapped = snap && bar->isSliderDown() ? snap(position) : std::nullopt;
         dragging->moveTo(snapped ? *snapped : valueAt(range(), double(position) / sliderSteps));
     });
@@ -147,6 +143,7 @@ void showOn(QSlider& slider, const SliderRange& range, Subject& subject, const P
 void Dragging::begin()
 {
     m_before = m_subject.values(m_property);
+    m_subject.noteDirections(m_property);
     m_directions = m_subject.directions(m_property);
     m_gesture = m_subject.document().beginGesture();
 }

@@ -151,7 +151,7 @@ void PlotPanel::refresh()
         rebuildViews();
         rebuildList();
         askPast();
-        if (m_isReading)
+        if (m_isOfFrames)
             readPlayed();
     }
     m_pages->setCurrentIndex(m_probes.empty() ? 1 : 0);

@@ -141,7 +141,7 @@ private:
     void fillPlayed(const Certificate& certificate, const Frame& frame);
     void readPlayed();
     void takeReading();
-    bool isReading() const { return m_isReading && m_playedHistory.time().empty(); }
+    bool isReading() const { return m_isOfFrames && m_playedHistory.time().empty(); }
     void noteTears();                           // of the recording
     QString lackOf(const PlotView& view) const; // why it has no curve, or empty
 
@@ -188,7 +188,7 @@ private:
     std::shared_ptr<const Certificate> m_playedCertificate; // of it; null: it has none
     History m_playedHistory;
     std::optional<EarlierRun> m_left; // the run that goes on, meanwhile, where it has curves
-    bool m_isReading = false;         // m_playedHistory comes from the recording
+    bool m_isOfFrames = false;        // m_playedHistory comes from its frames
 
     QStackedWidget* m_pages;
     QTreeWidget* m_list;

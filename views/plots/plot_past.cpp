@@ -66,7 +66,7 @@ void PlotPanel::takePast()
             auto filled = std::make_shared<History>(*run.history);
             fill(*filled);
             run.history = std::move(filled);
-            if (m_played && m_played->run() == found->run && !m_isReading && !m_playedCertificate)
+            if (m_played && m_played->run() == found->run && !m_isOfFrames && !m_playedCertificate)
                 m_playedHistory = *run.history;
         }
     rebuildViews(); // names may say since when, and earlier runs have other curves

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace ripstop {
@@ -42,7 +43,7 @@ void PlotPanel::takePlayed(const Frame& frame)
     m_played = std::move(recording);
     m_playedCertificate = std::move(certificate);
     m_playedHistory.clear();
-    m_isReading = false;
+    m_isOfFrames = false;
     ++m_reading;
     const auto kept = std::ranges::find_if(
         m_earlier, [&](const EarlierRun& run) { return run.history->run() == m_played->run(); });
@@ -51,7 +52,7 @@ void PlotPanel::takePlayed(const Frame& frame)
     } else if (kept != m_earlier.end()) {
         m_playedHistory = *kept->history;
     } else {
-        m_isReading = true;
+        m_isOfFrames = true;
         readPlayed();
     }
     rebuildViews();
@@ -63,24 +64,25 @@ void PlotPanel::leavePlayed()
         return;
     m_playedCertificate = nullptr;
     m_left.reset();
-    m_isReading = false;
+    m_isOfFrames = false;
     ++m_reading;
     rebuildViews();
 }
 
 void PlotPanel::fillPlayed(const Certificate& certificate, const Frame& frame)
 {
-    ProbeSample sample{frame.run, frame.layout, 0.0, {}};
     const std::vector<CertifiedProbe>& probes = certificate.probes;
+    std::vector<std::span<const double>> values; // [probes of the frame], empty for another
+    for (const Layout::Probe& probe : frame.layout->probes) {
+        const auto found = std::ranges::find(probes, probe.name, &CertifiedProbe::name);
+        values.push_back(found != probes.end() ? found->value : std::span<const double>());
+    }
+    ProbeSample sample{frame.run, frame.layout, 0.0, {}};
     for (std::size_t i = 0; i < certificate.time.size(); ++i) {
         sample.time = certificate.time[i];
-        sample.probe.assign(frame.layout->probes.size(), std::nan(""));
-        for (std::size_t p = 0; p < sample.probe.size(); ++p) {
-            const auto found =
-                std::ranges::find(probes, frame.layout->probes[p].name, &CertifiedProbe::name);
-            if (found != probes.end())
-                sample.probe[p] = found->value[i];
-        }
+        sample.probe.clear();
+        for (const std::span<const double> value : values)
+            sample.probe.push_back(value.empty() ? std::nan("") : value[i]);
         m_playedHistory.add(sample);
     }
     noteTears();
