@@ -32,8 +32,8 @@ namespace ripstop {
 TearLimit linkTearOf(const Material& material, LinkRole role, double width,
                      std::optional<double> own, double factor = 1.0);
 
-// Whether a link that is drawn to this length, m, is beyond its limit. What a rod without compliance
-// pulls with, no length tells: by a force it never is.
+// Whether a link that is drawn to this length, m, is beyond its limit. No length tells what a rod
+// without compliance pulls with: by a force it never is.
 bool isBeyondLimit(const Material& material, const Link& link, double length);
 
 FabricTear fabricTearOf(const Material& material);

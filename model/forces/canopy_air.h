@@ -19,7 +19,8 @@
 //
 // the law that porous panels have (panel_load.h). Q = sqrt(2 p / rho) (c' min(S, 2 A) + 0.6 vents)
 // as cloth in folds does not leak. K is stiff, P per 2 % of the volume; p is that of the end of the
-// substep, with what p itself does to V until then, so that no step is too long for it.
+// substep, with what p itself does to V until then, so that no step is too long for it; at rest
+// the air fills V + p / K, however long the substep is.
 //
 // While it fills, the load on a panel goes over from that of its air law, air that flows past, to
 // pressure, air at rest. With s = p / P:

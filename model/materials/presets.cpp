@@ -39,16 +39,21 @@ const std::vector<const Property*>& settable()
     return properties;
 }
 
+bool hasStrengthOf(const Material& material, PresetKind kind)
+{
+    if (isSheet(kind))
+        return material.warpStrength || material.weftStrength;
+    return kind == PresetKind::Line ? material.lineStrength.has_value()
+                                    : material.breakingMoment.has_value();
+}
+
 // Whether it tears by strengths, and by those that the preset brings others of; a sail is no line.
 bool goesOnTearing(const Material& material, const Preset& preset)
 {
-    const bool cloth = material.warpStrength || material.weftStrength;
-    const bool line = material.lineStrength.has_value();
-    const bool spar = material.breakingMoment.has_value();
-    const bool isAlike = isSheet(preset.kind)                 ? cloth
-                         : preset.kind == PresetKind::Line ? line
-                                                           : spar;
-    return isByStrength(material.tearRule) && (isAlike || !(cloth || line || spar));
+    const auto has = [&](PresetKind kind) { return hasStrengthOf(material, kind); };
+    const bool hasNone =
+        !has(PresetKind::Fabric) && !has(PresetKind::Line) && !has(PresetKind::Spar);
+    return isByStrength(material.tearRule) && (has(preset.kind) || hasNone);
 }
 
 // What the preset makes of a property of a material.
