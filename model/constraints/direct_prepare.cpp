@@ -29,9 +29,10 @@ constexpr std::size_t fewNodes = 300;
 
 constexpr double strainOfRigid = 1e-4; // under `greatLoad`
 constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
-constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
+constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends, where none is given
 constexpr double greatestSoftness = 1e-4;
-constexpr double shareOfWeight = 0.1; // that pulls are compared with where they are less
+constexpr double leastOfGiven = 1e-13; // below which rounding would decide how ends move
+constexpr double shareOfWeight = 0.1;  // that pulls are compared with where they are less
 
 } // namespace
 
@@ -309,7 +310,7 @@ void DirectSolver::soften(const System& system, double h)
         const Rod& rod = system.rods[std::size_t(bar.rod)];
         const double unseen = strainOfRigid * rod.restLength / load;
         bar.softness = bar.isElastic
-                           ? std::max(complianceOver(rod, h) / (h * h), leastSoftness * bar.weight)
+                           ? std::max(complianceOver(rod, h) / (h * h), leastOfGiven * bar.weight)
                            : std::clamp(unseen / (h * h), leastSoftness * bar.weight,
                                         greatestSoftness * bar.weight);
     }

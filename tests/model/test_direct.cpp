@@ -138,6 +138,41 @@ private slots:
         QVERIFY2(isNear(lowest, quarter, 0.01 * quarter), told(lowest, quarter));
     }
 
+    // A real line (LTC80: 0.57 g/m, EA 18.2 kN) at 300 N lies still, however finely it is cut:
+    // links of a tenth of a millimetre are 10^10 times as stiff as their masses in a step.
+    void fineLinesAreAsStiffAsTheyAre_data()
+    {
+        QTest::addColumn<double>("link"); // m
+        for (const double link : {1e-2, 1e-3, 1e-4})
+            QTest::addRow("%g m", link) << link;
+    }
+
+    void fineLinesAreAsStiffAsTheyAre()
+    {
+        QFETCH(double, link);
+        constexpr double pull = 300.0, stiffness = 18181.8, density = 0.57e-3;
+        System system = emptySystem(1.0 / 240.0, Integrator::Bdf2);
+        system.solver = Solver::Direct;
+        const int segments = 4;
+        addPin(system, Vec3::Zero());
+        for (int i = 1; i <= segments; ++i) {
+            const Vec3 place(link * i, 0.0, 0.0);
+            const int end =
+                i < segments ? addParticle(system, place, density * link) : addPin(system, place);
+            const double rest = link / (1.0 + pull / stiffness);
+            addRod(system, i - 1, end, rest, rest / stiffness).dampingTime = 0.77e-3;
+        }
+        finish(system);
+        Stepper stepper;
+        State state = system.start;
+        for (int i = 0; i < 240; ++i) {
+            stepper.step(system, state);
+            QVERIFY2(stepper.accuracy().pulls < 1e-6, told(stepper.accuracy().pulls, 0.0));
+            for (const double tension : tensions(system, state))
+                QVERIFY2(isNear(tension, pull, 1e-6 * pull), told(tension, pull));
+        }
+    }
+
     // At rest each rod carries the weight below it, and does so without a flicker.
     void tensionsOfHang_data()
     {
