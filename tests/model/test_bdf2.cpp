@@ -5,11 +5,15 @@
 #include "registered_test.h"
 
 #include "assembly/finish.h"
+#include "builders/builder.h"
+#include "compile/compile.h"
 #include "laws/step_limit.h"
+#include "step/solver_plan.h"
 
 #include <QtTest>
 
 #include <cmath>
+#include <numbers>
 
 namespace ripstop::test_bdf2 {
 
@@ -194,6 +198,67 @@ private slots:
         const double left = speed / (1.0 + k * speed * state.time);
         QVERIFY2(isNear(speed - state.velocity[0].y(), left, 2e-4 * speed),
                  told(speed - state.velocity[0].y(), left));
+    }
+
+    // The pendulum that one gets unasked. BDF2 takes pi (w h)^3 / 2 of a swing in each
+    // (step/true_swings.h), and twice as much of the height of where it turns; its first substeps
+    // are of Euler. Backward Euler would take 2 % of that height each time.
+    void pendulumsSwingOn()
+    {
+        Simulation simulation(*compile(*build(*findBuilder("rope"), {{"cord", 0.0}, // ideal
+                                                                     {"segments", 1.0},
+                                                                     {"length", 1.0},
+                                                                     {"angle", 5.0}})));
+        const double w = std::sqrt(standardGravity); // rad/s
+        const double period = 2.0 * std::numbers::pi / w;
+        const auto turnsAt = [&] { // m above the lowest place, within a period
+            const State& state = simulation.state();
+            double highest = 0.0;
+            for (const double end = state.time + period; state.time < end;) {
+                if (!simulation.step())
+                    qFatal("it did not swing");
+                highest = std::max(highest, 1.0 + state.position[1].y() - state.position[0].y());
+            }
+            return highest;
+        };
+        constexpr int swings = 50;
+        QVERIFY(simulation.runUntil(0.25 * period));
+        const double first = turnsAt();
+        QVERIFY(simulation.runUntil((swings + 0.25) * period));
+        const double loss =
+            swings * std::numbers::pi * std::pow(w * simulation.system().timeStep, 3.0);
+        const double got = 1.0 - turnsAt() / first;
+        QVERIFY2(isNear(got, loss, 0.1 * loss), told(got, loss));
+    }
+
+    // Lines that hang by one end swing; those that are held by both, as tight as they may be, ring
+    // where nothing stretches, and so does what closes a loop.
+    void whatMayRingIsCalmed_data()
+    {
+        QTest::addColumn<bool>("heldTwice");
+        QTest::addColumn<bool>("crossed");
+        QTest::addColumn<Integrator>("integrator");
+        QTest::newRow("by one end") << false << false << Integrator::Bdf2;
+        QTest::newRow("by both ends") << true << false << Integrator::SemiImplicitEuler;
+        QTest::newRow("a loop") << false << true << Integrator::SemiImplicitEuler;
+    }
+
+    void whatMayRingIsCalmed()
+    {
+        QFETCH(bool, heldTwice);
+        QFETCH(bool, crossed);
+        System system = together(0.004, Integrator::Auto);
+        const int segments = 5;
+        addPin(system, Vec3::Zero());
+        for (int i = 1; i < segments; ++i)
+            addRod(system, i - 1, addParticle(system, Vec3(i, 0.0, 0.0), 0.1), 1.0);
+        const Vec3 end(segments, 0.0, 0.0);
+        addRod(system, segments - 1,
+               heldTwice ? addPin(system, end) : addParticle(system, end, 0.1), 1.0);
+        if (crossed)
+            addRod(system, 1, 3, 2.0);
+        finish(system);
+        QTEST(planFor(system).integrator, "integrator");
     }
 };
 
