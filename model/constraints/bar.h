@@ -40,6 +40,7 @@ struct Bar
     double multiplier = 0.0; // kg m, that the linear system gave
     double before = 0.0;     // kg m, of the iteration before
     double atStart = 0.0;    // kg m, of the substep before
+    double foreseen = 0.0;   // kg m, if its ends went on as they came; of one that resists one way
 };
 
 RIPSTOP_INLINE void measure(Bar& bar, const Row& a, const Row& b)
@@ -95,6 +96,17 @@ RIPSTOP_INLINE double pullOf(const Bar& bar)
         break;
     }
     return bar.multiplier;
+}
+
+// Whether the rod met a load that its ends ran into: it pulls more than twice as hard as before,
+// and yet less than half of what their way would have made of its stretch, since it has stopped
+// them. A load that it takes up as slowly as it swings makes just that of it.
+RIPSTOP_INLINE bool stopsItsEnds(const Bar& bar)
+{
+    const double pull = std::abs(pullOf(bar));
+    const double before = std::abs(bar.atStart);
+    return bar.resists != Resists::Both && pull > 2.0 * before
+           && pull - before < 0.5 * (std::abs(bar.foreseen) - before);
 }
 
 // Twice the energy that the pull of the multiplier takes, kg m^2.

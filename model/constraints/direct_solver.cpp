@@ -112,8 +112,22 @@ double DirectSolver::startBars(const RodTask& task, std::span<const double> mult
         bar.rest = task.restLength[r];
         bar.multiplier = bar.atStart = bar.torn ? 0.0 : multiplier[r];
         pulls += energyOfPull(bar);
+        if (bar.resists != Resists::Both)
+            bar.foreseen = foreseenPull(bar, task);
     }
     return pulls;
+}
+
+// Without a past that tells how ends came, any load may have stopped them.
+double DirectSolver::foreseenPull(const Bar& bar, const RodTask& task) const
+{
+    if (task.drift.empty())
+        return std::numeric_limits<double>::infinity();
+    const auto a = std::size_t(m_particle[bar.a]), b = std::size_t(m_particle[bar.b]);
+    const Vec3 separation = task.before[b] - task.before[a];
+    const Vec3 next = separation + task.substep * (task.drift[b] - task.drift[a]);
+    const double pull = (next.norm() - bar.rest) / bar.softness;
+    return bar.resists == Resists::Tension ? std::max(pull, 0.0) : std::min(pull, 0.0);
 }
 
 int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int iterations,
@@ -251,10 +265,8 @@ bool DirectSolver::hasImpact() const
 {
     if (m_contacts.hasImpact())
         return true;
-    return m_hasOneWay && std::ranges::any_of(m_bars, [](const Bar& bar) {
-               return bar.resists != Resists::Both
-                      && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
-           });
+    return m_hasOneWay
+           && std::ranges::any_of(m_bars, [](const Bar& bar) { return stopsItsEnds(bar); });
 }
 
 // Where forces and rods are near their balance, as in all that hangs or is in the wind, particles

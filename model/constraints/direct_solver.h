@@ -93,7 +93,7 @@ public:
     bool isEmpty() const { return m_bars.empty() && m_panels.empty() && m_bends.empty(); }
 
     // Whether something met its load in the last project(): a line or a strut, one that resists one
-    // way only and pulls more than twice as hard as before, or a particle an obstacle.
+    // way only and stopped its ends (bar.h), or a particle an obstacle.
     bool hasImpact() const;
 
     // With the obstacles that the task lets it look for.
@@ -151,6 +151,7 @@ private:
     Starts startsOf(std::size_t first, std::size_t last);
     double startBars(const RodTask& task, std::span<const double> multiplier, std::size_t first,
                      std::size_t last);
+    double foreseenPull(const Bar& bar, const RodTask& task) const; // kg m
     bool solveForMoves(ThreadPool& pool);
     bool iterate(ThreadPool& pool);
     double scaleOfErrors() const; // sqrt(kg) m

@@ -158,16 +158,17 @@ std::vector<std::uint8_t> rodsThatBend(const System& system)
     return result;
 }
 
-// Whether rods close no loop, which one from what bears to what bears does, too: pendulums and
-// lines that hang by one end can swing, but nothing of them is so tight that it rings.
-bool areBranches(const System& system)
+// Whether rods that never stretch close no loop, which one from what bears to what bears does, too:
+// pendulums, and lines that hang by one end, can swing, but nothing of them is so tight that it
+// rings.
+bool rigidRodsAreBranches(const System& system)
 {
     const int ground = int(system.inverseMass.size()); // all that bears is one
     JoinedSets sets(system.inverseMass.size() + 1);
     const auto nodeOf = [&](int p) { return bears(system, p) ? ground : p; };
     return std::ranges::all_of(system.rods, [&](const Rod& rod) {
         const int a = nodeOf(rod.a), b = nodeOf(rod.b);
-        if (a == ground && b == ground)
+        if (rod.compliance > 0.0 || (a == ground && b == ground))
             return true;
         const bool closes = sets.of(a) == sets.of(b);
         sets.join(a, b);
@@ -262,31 +263,9 @@ private:
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        return together && (calmsItself() || hasOnlyBranches())
-                       && stiffStepLimit(m_system) >= slowBends * m_system.timeStep
-                   ? Integrator::Bdf2
-                   : Integrator::SemiImplicitEuler;
-    }
-
-    bool calmsItself() const
-    {
-        return std::ranges::all_of(m_system.rods,
-                                   [&](const Rod& rod) {
-                                       return !moves(rod)
-                                              || (rod.compliance > 0.0 && rod.dampingTime > 0.0);
-                                   })
-               && std::ranges::all_of(m_system.membranes, [&](const Membrane& membrane) {
-                      const auto air =
-                          std::size_t(m_system.panels[std::size_t(membrane.panel)].air);
-                      const ClothLaw& law = m_system.cloth[air];
-                      return !law.isElastic() || law.dampingTime > 0.0;
-                  });
-    }
-
-    bool hasOnlyBranches() const
-    {
-        return m_system.membranes.empty() && m_system.of<BendLists>().list.empty()
-               && areBranches(m_system);
+        const bool mayTakeIt = together && rigidRodsAreBranches(m_system)
+                               && stiffStepLimit(m_system) >= slowBends * m_system.timeStep;
+        return mayTakeIt ? Integrator::Bdf2 : Integrator::SemiImplicitEuler;
     }
 
     // Substeps that the author wants at least.

@@ -24,6 +24,7 @@ namespace {
 
 constexpr int meanOver = 8;  // substeps, the last of a step, that tensions are the mean of
 constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses the substeps
+constexpr int substepsOfBeginning = 8;
 
 StepStage stageOf(ForceKind kind)
 {
@@ -57,13 +58,15 @@ int Stepper::step(const System& system, State& state)
     m_clock.start();
     prepare(system, state);
     const int chosen = chosenSubsteps(system, state);
-    const int substeps = chosen * m_refinement;
+    const int substeps = chosen * m_refinement * (beginsBdf2(state) ? substepsOfBeginning : 1);
     const double h = system.timeStep / substeps;
     m_clock.lap(StepStage::Plan);
     if (!system.fabricLayer.empty()) {
         m_fabric.find(system, state);
         m_clock.lap(StepStage::Contact);
     }
+    if (m_integrator == Integrator::Bdf2 && state.driftSubstep > 0.0 && state.driftSubstep != h)
+        lookBackAsFar(state, h);
     const double startTime = state.time;
     advanceGusts(system, state);
     m_keep = portableExp(-system.viscosity * h);
@@ -284,6 +287,28 @@ void Stepper::substep(RodTask& task, State& state, double h)
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
     }
+}
+
+// BDF2 begins with implicit Euler, which takes (w h)^2 of the energy of a swing each time. So the
+// first step of a run is cut into many.
+bool Stepper::beginsBdf2(const State& state) const
+{
+    return m_integrator == Integrator::Bdf2 && state.step == 0 && state.driftSubstep == 0.0;
+}
+
+// What BDF2 looks back to where the substep is not as long as the last one: what was a substep of h
+// ago, if things were accelerated then as they were since.
+void Stepper::lookBackAsFar(State& state, double h)
+{
+    const double share = h / state.driftSubstep;
+    m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3 now = state.velocity[i];
+            state.velocityBefore[i] = Vec3(now + share * (state.velocityBefore[i] - now));
+            state.drift[i] = Vec3(now + share * (state.drift[i] - now));
+        }
+    });
+    state.driftSubstep = h;
 }
 
 // Whether nothing acts that may differ from one substep to the next.

@@ -69,7 +69,7 @@ public:
     const StepAccuracy& accuracy() const { return m_accuracy; }
 
     // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
-    // for.
+    // for. The first step of a run may be cut finer.
     int substepsOf(const System& system, const State& state) const;
 
     // Hz, likewise, of its substeps: step/true_swings.h. 0 before the first step.
@@ -94,6 +94,8 @@ private:
     void dampImplicitly(const System& system, const State& state, double reach,
                         std::span<const PaddedVec3> now, bool drifts);
     void beginAnew(RodTask& task, State& state, double h);
+    bool beginsBdf2(const State& state) const;
+    void lookBackAsFar(State& state, double h);
     void takeMeans(const System& system, State& state, double h);
     bool isSteady(const System& system, const State& state) const;
     void move(ParticlePass pass, const System& system, State& state, double h);
