@@ -9,21 +9,17 @@
 namespace ripstop {
 namespace {
 
-// Of what was found at every step: motion that the steps have damped away is off by nothing in the
-// end, and was off before.
-struct LargestError
+// Motion that the steps have damped away is off by nothing in the end, and was off before.
+double largestError(const CertifiedProbe& probe)
 {
-    double error = Convergence::none;
-    double time = 0.0; // s
-};
+    return probe.error.empty() ? Convergence::none : probe.error[probe.worstMoment()];
+}
 
-LargestError largestError(const Certificate& certificate, const CertifiedProbe& probe)
+const char* judgedBy(const CertifiedProbe& probe)
 {
-    LargestError largest;
-    for (std::size_t k = 0; k < probe.error.size(); ++k)
-        if (!(probe.error[k] <= largest.error) && std::isfinite(probe.error[k]))
-            largest = {probe.error[k], certificate.time[k]};
-    return largest;
+    if (!probe.holdsItsCourse())
+        return "its course, which does not hold";
+    return probe.ofMean ? "the mean of the second half" : "the last value";
 }
 
 } // namespace
@@ -42,10 +38,9 @@ void printTable(const Certificate& certificate)
         char order[16] = "-";
         if (result.converges())
             std::snprintf(order, sizeof order, "%.1f", result.order);
-        const LargestError largest = largestError(certificate, probe);
         row(withUnit(probe.name, probe.unit), " %14.8g %12.2g %7d %6s %12.2g %9.3g  %s\n",
-            result.value[0], result.error, result.digits, order, largest.error, largest.time,
-            probe.ofMean ? "the mean of the second half" : "the last value");
+            result.value[0], result.error, probe.digits(), order, largestError(probe),
+            certificate.time[probe.worstMoment()], judgedBy(probe));
     }
 }
 
@@ -54,18 +49,20 @@ Json jsonOf(const Certificate& certificate)
     Json probes = Json::array();
     for (const CertifiedProbe& probe : certificate.probes) {
         const Convergence& result = probe.result;
-        const LargestError largest = largestError(certificate, probe);
-        probes.push_back({{"name", probe.name},
-                          {"unit", probe.unit},
-                          {"of_mean", probe.ofMean},
-                          {"value", result.value[0]},
-                          {"half", result.value[1]},
-                          {"quarter", result.value[2]},
-                          {"limit", result.limit},
-                          {"error", result.error},
-                          {"order", result.order},
-                          {"digits", result.digits},
-                          {"largest", {{"error", largest.error}, {"time", largest.time}}}});
+        probes.push_back(
+            {{"name", probe.name},
+             {"unit", probe.unit},
+             {"of_mean", probe.ofMean},
+             {"value", result.value[0]},
+             {"half", result.value[1]},
+             {"quarter", result.value[2]},
+             {"limit", result.limit},
+             {"error", result.error},
+             {"order", result.order},
+             {"digits", probe.digits()},
+             {"course_holds", probe.holdsItsCourse()},
+             {"largest",
+              {{"error", largestError(probe)}, {"time", certificate.time[probe.worstMoment()]}}}});
     }
     return {{"seconds", certificate.seconds}, {"probes", std::move(probes)}};
 }

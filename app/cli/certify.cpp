@@ -78,12 +78,11 @@ int certify(const CertifyOptions& options)
         print(jsonOf(certificate));
     else
         printTable(certificate);
-    const auto worst = std::ranges::min_element(
-        certificate.probes, {}, [](const CertifiedProbe& probe) { return probe.result.digits; });
-    if (worst->result.digits >= options.digits)
+    const auto worst = std::ranges::min_element(certificate.probes, {}, &CertifiedProbe::digits);
+    if (worst->digits() >= options.digits)
         return Done;
-    return fail(Inaccurate, Message("%1 digits of \"%2\" hold, and %3 are wanted.",
-                                    worst->result.digits, worst->name, options.digits));
+    return fail(Inaccurate, Message("%1 digits of \"%2\" hold, and %3 are wanted.", worst->digits(),
+                                    worst->name, options.digits));
 }
 
 } // namespace

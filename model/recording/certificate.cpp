@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ripstop {
 namespace {
@@ -12,6 +13,8 @@ constexpr double leastOrder = 0.5;    // that the limit is told by
 constexpr double roundOff = 1e-13;    // of a value
 constexpr double nothing = 1e-12;     // m, N, ...: what rounding leaves of what is none
 constexpr int mostDigits = 15;
+constexpr double shareOfWay = 0.5;    // that an error may be of what a probe goes through
+constexpr double littleOfSize = 1e-3; // of the largest value, that is no motion
 
 int digitsOf(double value, double error)
 {
@@ -49,6 +52,28 @@ Convergence convergenceOf(const std::array<double, 3>& value)
     }
     result.digits = digitsOf(coarse, result.error);
     return result;
+}
+
+std::size_t CertifiedProbe::worstMoment() const
+{
+    std::size_t worst = 0;
+    for (std::size_t k = 0; k < error.size(); ++k)
+        if (std::isfinite(error[k]) && !(error[k] <= error[worst]))
+            worst = k;
+    return worst;
+}
+
+bool CertifiedProbe::holdsItsCourse() const
+{
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double one : value)
+        if (std::isfinite(one)) {
+            least = std::min(least, one);
+            most = std::max(most, one);
+        }
+    const double largest = error.empty() ? 0.0 : error[worstMoment()];
+    const double size = std::max(std::abs(least), std::abs(most));
+    return ofMean || !(largest > shareOfWay * (most - least) && largest > littleOfSize * size);
 }
 
 double Certificate::errorAt(const std::string& probe, double at) const

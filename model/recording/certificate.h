@@ -14,6 +14,10 @@
 // the largest of them. Motion that is chaotic has no values that converge, but its means may: of a
 // probe whose last values do not come nearer to each other the mean over the second half of the
 // time is judged instead.
+//
+// Motion that is too fast for all three runs dies away in all of them, and its last values agree
+// on a rest that is not there. Before that they did not: a probe that was somewhere off by as much
+// as half of the way it went holds in no digit that its last value shows.
 #pragma once
 
 #include <array>
@@ -51,6 +55,10 @@ struct CertifiedProbe
     Convergence result;
     std::vector<double> value; // [times] of the run as it is
     std::vector<double> error; // [times] of these, as above
+
+    std::size_t worstMoment() const; // index of the largest error; 0 where none is known
+    bool holdsItsCourse() const;
+    int digits() const { return holdsItsCourse() ? result.digits : 0; }
 };
 
 struct Certificate

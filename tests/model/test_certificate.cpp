@@ -7,6 +7,7 @@
 #include "model/sample_scenes.h"
 #include "registered_test.h"
 
+#include "builders/builder.h"
 #include "export/export_run.h"
 #include "io/certificate_table.h"
 #include "io/recording_file.h"
@@ -18,6 +19,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <numbers>
 
 namespace ripstop::test_certificate {
 
@@ -181,6 +183,33 @@ private slots:
     {
         const Certificate certificate = certified(fall(Integrator::VelocityVerlet), 0.5);
         QVERIFY(certificate.probes[0].result.digits >= 12);
+    }
+
+    // 1 kg on an undamped line swings at sqrt(EA / (m L)) = 100 Hz for ever, which none of the
+    // three runs can tell: it is dead after a second in all of them, and they agree on that to the
+    // last digit. At 1 Hz it swings on, and is told.
+    void whatDiesInAllRunsHoldsInNoDigit()
+    {
+        const auto tension = [](double frequency) {
+            const double w = 2.0 * std::numbers::pi * frequency;
+            const Scene scene = *build(*findBuilder("rope"), {{"cord", 0.0},
+                                                              {"segments", 1.0},
+                                                              {"length", 1.0},
+                                                              {"density", 0.0},
+                                                              {"end_mass", 1.0},
+                                                              {"angle", 0.0},
+                                                              {"axial", w * w}});
+            const Certificate certificate = certified(scene, 1.0);
+            return *std::ranges::find(certificate.probes, "tension", &CertifiedProbe::name);
+        };
+        const CertifiedProbe fast = tension(100.0);
+        QVERIFY(!fast.ofMean);
+        QVERIFY(fast.result.digits >= 6);
+        QVERIFY(!fast.holdsItsCourse());
+        QCOMPARE(fast.digits(), 0);
+        const CertifiedProbe slow = tension(1.0);
+        QVERIFY(slow.holdsItsCourse());
+        QCOMPARE(slow.digits(), slow.result.digits);
     }
 
     // What is certified holds the truth: the extension of a line of EA 100 kN under 65 kg, and the
