@@ -2,6 +2,7 @@
 #include "cli/run_report.h"
 
 #include "base/hash_text.h"
+#include "base/key_index.h"
 #include "check/strength_gaps.h"
 #include "measure/diagnostics.h"
 #include "run/end_check.h"
@@ -38,10 +39,24 @@ Json leftStrength(const Frame& frame)
     return {{"margin", margin}, {"holds", 1.0 / margin}};
 }
 
-Json tearSummary(const Frame& frame)
+// Of the design that was flown, as it was compiled.
+PlaceInDesign placesIn(const System& compiled)
+{
+    KeyIndex index(compiled.key.size());
+    for (std::size_t i = 0; i < compiled.key.size(); ++i)
+        index.add(compiled.key[i], int(i));
+    return [index = std::move(index), &compiled](std::uint32_t id) -> std::optional<Vec3> {
+        const int place = index(id);
+        if (place == KeyIndex::none)
+            return std::nullopt;
+        return compiled.start.position[std::size_t(place)];
+    };
+}
+
+Json tearSummary(const Frame& frame, const System& compiled)
 {
     const std::span<const Tear> tears = frame.tears;
-    const TearReport report = tearReport(tears);
+    const TearReport report = tearReport(tears, *frame.layout, placesIn(compiled));
     Json result;
     result["count"] = report.count;
     result["energy"] = report.energy;
@@ -186,7 +201,7 @@ Json runReport(const Simulation& simulation, double wallSeconds)
                                    {loadName(tear, *frame), tear.force},
                                    {"energy", tear.energy},
                                    {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
-    result["tear_report"] = tearSummary(*frame);
+    result["tear_report"] = tearSummary(*frame, *simulation.compiled());
     result["loads"] = loadsOf(*frame);
     result["absurd"] = Json::array();
     for (const Message& one : absurdities(simulation))
@@ -268,7 +283,8 @@ void printRunTable(const Json& result, const Layout& layout)
         const std::string kind = first.contains("panel") ? "panel" : "link";
         printReportRow("first tear", shortNumber(first["time"]) + " s, " + kind + ' '
                                          + std::to_string(first[kind].get<long>()));
-        printReportRow("tears reach", shortNumber(end["distance"]) + " m from there at "
+        printReportRow("tears reach", shortNumber(end["distance"])
+                                          + " m from there in the design, at "
                                           + shortNumber(end["time"]) + " s");
         printReportRow("energy they released", shortNumber(tears["energy"]) + " J");
         printTearEvents(tears);

@@ -68,14 +68,14 @@ double bytesOfPictures(QSize size, std::size_t frames)
     return bytesPerPixel * size.width() * size.height() * double(frames);
 }
 
-QString tearsInWords(const Frame* frame)
+QString tearsInWords(const Frame* frame, const Scene& scene)
 {
     if (!frame || frame->tears.empty())
         return tr("Nothing has torn in the run on the screen: the table will be empty.");
-    const TearReport report = tearReport(frame->tears);
-    return tr("Links that broke in the run on the screen: %1, the first at %2 s. The tear went %3 "
-              "m "
-              "far and released %4 J.")
+    const TearReport report = tearReport(frame->tears, *frame->layout, placesIn(scene));
+    return tr("Links that broke in the run on the screen: %1, the first at %2 s. In the design, "
+              "the "
+              "tears reach %3 m from there; they released %4 J.")
         .arg(report.count)
         .arg(rounded(frame->tears.front().time), rounded(report.front.back().distance),
              rounded(report.energy));
@@ -90,8 +90,8 @@ QString controlsInWords(const Frame* frame)
         .arg(frame->hands.size());
 }
 
-QString contentInWords(const ExportChoice& choice, const ExportRange& range, const Frame* now,
-                       QSize picture)
+QString contentInWords(const ExportChoice& choice, const ExportRange& range, const Scene& scene,
+                       const Frame* now, QSize picture)
 {
     if (choice.isBundle())
         return tr(
@@ -99,7 +99,7 @@ QString contentInWords(const ExportChoice& choice, const ExportRange& range, con
             "and a figure, a picture of the view, and the command lines that make all of it "
             "again.");
     if (const auto* table = std::get_if<RunTable>(&choice.what))
-        return *table == RunTable::Tears ? tearsInWords(now) : controlsInWords(now);
+        return *table == RunTable::Tears ? tearsInWords(now, scene) : controlsInWords(now);
     const std::size_t frames = frameCount(range);
     if (choice.film())
         return choice.film()->codec ? tr("%1 frames of %2 × %3 pixels.")
@@ -174,11 +174,12 @@ QStringList replacedBy(const ExportChoice& choice, const QString& target, std::s
 }
 
 QString previewOf(const ExportChoice& choice, const QString& target, const ExportRange& range,
-                  const MeshAppearance& appearance, const Frame* now, QSize picture)
+                  const MeshAppearance& appearance, const Scene& scene, const Frame* now,
+                  QSize picture)
 {
     const std::size_t frames = choice.isSeries() ? frameCount(range) : 1;
     QString text = tr("Writes %1.").arg(inWords(filesOf(choice, target, frames, appearance))) + ' '
-                   + contentInWords(choice, range, now, picture);
+                   + contentInWords(choice, range, scene, now, picture);
     const QStringList there = replacedBy(choice, target, frames, appearance);
     if (there.size() == 1)
         text += ' ' + tr("%1 is there and will be replaced.").arg(QFileInfo(there[0]).fileName());

@@ -40,7 +40,8 @@ std::vector<ExportChoice> exportChoices();
 
 // "Writes kite.pc2 and kite.obj. 251 frames, about 3.4 MB. kite.obj is there and will be replaced."
 QString previewOf(const ExportChoice& choice, const QString& target, const ExportRange& range,
-                  const MeshAppearance& appearance, const Frame* now, QSize picture);
+                  const MeshAppearance& appearance, const Scene& scene, const Frame* now,
+                  QSize picture);
 
 // The files of a choice that are there already.
 QStringList replacedBy(const ExportChoice& choice, const QString& target, std::size_t frames,

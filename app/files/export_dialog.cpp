@@ -324,7 +324,7 @@ void ExportDialog::showPreview()
     m_go->setEnabled(why.isEmpty());
     if (!why.isEmpty())
         return m_message->setText(why);
-    QString text = previewOf(choice(), target(), range(), m_appearance, m_now.get(),
+    QString text = previewOf(choice(), target(), range(), m_appearance, m_scene, m_now.get(),
                              QSize(m_width->value(), m_height->value()));
     if (choice().isFlown())
         text += ' '

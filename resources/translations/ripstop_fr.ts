@@ -2250,8 +2250,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
-        <source>Links that broke in the run on the screen: %1, the first at %2 s. The tear went %3 m far and released %4 J.</source>
-        <translation>Liaisons rompues dans la simulation à l’écran : %1, la première à %2 s. La déchirure s’est étendue sur %3 m et a libéré %4 J.</translation>
+        <source>Links that broke in the run on the screen: %1, the first at %2 s. In the design, the tears reach %3 m from there; they released %4 J.</source>
+        <translation>Liaisons rompues dans la simulation à l’écran : %1, la première à %2 s. Dans le modèle, les déchirures s’étendent jusqu’à %3 m de là ; elles ont libéré %4 J.</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>

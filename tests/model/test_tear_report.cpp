@@ -61,32 +61,69 @@ class TestTearReport : public QObject
 private slots:
     void nothingTore()
     {
-        const TearReport none = tearReport({});
+        const TearReport none = tearReport({}, Layout(), PlaceInDesign());
         QCOMPARE(none.count, 0);
         QCOMPARE(none.energy, 0.0);
         QVERIFY(none.front.empty());
     }
 
-    // The front goes on only where a break is farther from the first than all before it.
+    // The front goes on only where a break is farther from the first than all before it, in the
+    // design: there particles 10 to 16 stand at x = 0, 1, ... 6 m, links 1 to 5 between neighbours
+    // have their middles at 0.5 to 4.5 m, and the panel 6 over the last three at 5 m. That the
+    // sheet has fallen by 100 m between two breaks does not count, nor does a link of which an
+    // edit has taken an end.
     void front()
     {
+        Layout layout;
+        for (int i = 0; i < 7; ++i)
+            layout.particleId.push_back(std::uint32_t(10 + i));
+        layout.particleId.push_back(99); // no longer in the design
+        for (int i = 0; i < 5; ++i)
+            layout.links.push_back({std::uint32_t(i + 1), LinkKind::Rod, i, i + 1, 1.0});
+        layout.links.push_back({7, LinkKind::Rod, 0, 7, 1.0});
+        layout.panelId = {6};
+        layout.panelCorners = {{4, 5, 6}};
+        const PlaceInDesign place = [](std::uint32_t id) -> std::optional<Vec3> {
+            return id == 99 ? std::nullopt : std::optional(Vec3(id - 10.0, 1.0, 0.0));
+        };
         std::vector<Tear> tears;
-        for (const auto& [time, x] : {std::pair(0.5, 2.0), {0.6, 3.0}, {0.6, 2.5}, {0.8, -1.0}}) {
+        for (const auto& [time, element] :
+             {std::pair(0.5, 3), {0.6, 4}, {0.6, 2}, {0.7, 7}, {0.8, 1}, {0.9, 6}}) {
             Tear tear;
             tear.time = time;
+            tear.element = std::uint32_t(element);
             tear.energy = 0.25;
-            tear.place = {x, 1.0, 0.0};
+            tear.place = {0.0, -250.0 * time, 0.0};
             tears.push_back(tear);
         }
-        const TearReport some = tearReport(tears);
-        QCOMPARE(some.count, 4);
-        QCOMPARE(some.energy, 1.0);
-        QCOMPARE(some.front.size(), std::size_t(3));
-        const double expected[][2] = {{0.5, 0.0}, {0.6, 1.0}, {0.8, 3.0}};
-        for (std::size_t i = 0; i < 3; ++i) {
+        const TearReport some = tearReport(tears, layout, place);
+        QCOMPARE(some.count, 6);
+        QCOMPARE(some.energy, 1.5);
+        QCOMPARE(some.front.size(), std::size_t(4));
+        const double expected[][2] = {{0.5, 0.0}, {0.6, 1.0}, {0.8, 2.0}, {0.9, 2.5}};
+        for (std::size_t i = 0; i < std::size(expected); ++i) {
             QCOMPARE(some.front[i].time, expected[i][0]);
             QCOMPARE(some.front[i].distance, expected[i][1]);
         }
+
+        // without the first in the design, the next one begins the front there
+        const TearReport late = tearReport(std::span(tears).subspan(3), layout, place);
+        QCOMPARE(late.front.size(), std::size_t(2));
+        QCOMPARE(late.front[0].time, 0.7);
+        QCOMPARE(late.front[1].distance, 4.5);
+    }
+
+    // Two links 0.1 m apart, of a scene that knows where its particles are.
+    void frontInAScene()
+    {
+        const Scene scene = twoParts();
+        Simulation simulation(*compile(scene));
+        QVERIFY(simulation.step());
+        const std::shared_ptr<const Frame> frame = simulation.frame();
+        const TearReport both = tearReport(frame->tears, *frame->layout, placesIn(scene));
+        QCOMPARE(both.count, 2);
+        QCOMPARE(both.front.size(), std::size_t(2));
+        QVERIFY(std::abs(both.front[1].distance - 0.1) < 1e-12);
     }
 
     // A row of four links, 1 to 4, between particles 10 to 14, and a link 5 elsewhere. Neighbours
