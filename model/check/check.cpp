@@ -17,6 +17,7 @@
 #include "check/tear_check.h"
 #include "check/thread_check.h"
 #include "check/unknown.h"
+#include "check/weight_check.h"
 #include "derived/canopy_shape.h"
 #include "derived/collider_shape.h"
 #include "derived/fabric_picture.h"
@@ -100,6 +101,7 @@ public:
         gaps();
         checkTearing(m_scene, adding());
         checkThreads(m_scene, adding());
+        checkWeights(m_scene, m_index, adding());
         checkFlutter(m_scene, adding());
         checkUnknown(m_scene, m_index, adding());
         if (!hasParticles(m_scene))

@@ -107,6 +107,19 @@ double meanPanelEdge(const Scene& scene)
 
 double widthOf(const Collider& collider) { return rowOf(collider.shape).width(solidOf(collider)); }
 
+bool mayLieOn(const Scene& scene, const Collider& collider, const Vec3& place, double within)
+{
+    const double reach = within + collider.thickness;
+    const Vec3 away = place - collider.position;
+    if (collider.shape == ColliderShape::Plane)
+        return away.dot(collider.normal.normalized()) < reach;
+    const auto data = shapeDataOf(scene, collider);
+    const Eigen::AlignedBox3d box =
+        data ? rowOf(collider.shape).bounds(solidOf(collider, *data)) : Eigen::AlignedBox3d();
+    const Vec3 own = turnOf(collider).transpose() * away;
+    return box.isEmpty() || box.exteriorDistance(own) < reach;
+}
+
 std::optional<Message> colliderWarning(const Collider& collider, double panelEdge)
 {
     const double width = widthOf(collider);
