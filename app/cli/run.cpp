@@ -59,7 +59,7 @@ struct RunOptions
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
-// What is written while a scene flies, and after.
+// What is written and noted while a scene flies, and after.
 class RunFiles
 {
 public:
@@ -86,6 +86,7 @@ public:
         } else if (!m_options.events.empty()) {
             m_events.emplace(simulation);
         }
+        m_landings.begin();
         if (m_table)
             m_table->add(*simulation.frame());
         return std::nullopt;
@@ -93,6 +94,7 @@ public:
 
     void beforeStep(Simulation& simulation)
     {
+        m_landings.beforeStep(simulation);
         if (m_recorder.beforeStep(simulation) && m_recording)
             m_recording->follow(m_recorder.recording());
     }
@@ -100,11 +102,14 @@ public:
     void afterStep(Simulation& simulation)
     {
         m_recorder.afterStep(simulation);
+        m_landings.afterStep(simulation);
         if (m_events)
             m_events->look(simulation);
         if (m_table)
             m_table->add(*simulation.frame());
     }
+
+    std::span<const Landing> landings() const { return m_landings.all(); }
 
     // Returns what could not be written.
     std::vector<Failure> finish(const Frame& last)
@@ -143,6 +148,7 @@ private:
     std::optional<GrowingRecording> m_recording;
     Recorder m_recorder;
     std::optional<EventList> m_events; // where nothing is recorded
+    LandingWatch m_landings;
 };
 
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
@@ -234,6 +240,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& o
     // What was flown is reported even when a file cannot be written.
     const std::vector<Failure> unwritten = files.finish(*simulation.frame());
     Json result = runReport(simulation, wallSeconds);
+    result["landings"] = landingsOf(files.landings(), scene);
     if (!options.loads.empty())
         tellUnjudged(namesWithoutStrength(scene), result);
     if (settler)
@@ -269,6 +276,17 @@ Result<std::optional<SettleGoal>> settleGoal(const RunOptions& options)
                            options.settleSpeed);
     }
     return std::optional<SettleGoal>(goal);
+}
+
+// Nobody reads them again, and links take a hundred bytes each. What items are called stays.
+void dropElements(Scene& scene)
+{
+    for (Entry& entry : scene.items)
+        if (Part* part = std::get_if<Part>(&entry.item)) {
+            part->particles = {};
+            part->links = {};
+            part->panels = {};
+        }
 }
 
 int run(const RunOptions& options)
@@ -308,7 +326,7 @@ int run(const RunOptions& options)
     const std::vector<Id> lasting = materialsThatNeverTear(*loaded.scene);
     if (options.finalScene.empty() && options.tears.empty() && options.record.empty()
         && options.events.empty() && options.loads.empty())
-        loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
+        dropElements(*loaded.scene);
     Simulation simulation(*system, options.threads);
     return flyAndReport(*loaded.scene, simulation, options, *goal, std::move(track), lasting);
 }

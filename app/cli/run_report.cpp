@@ -143,6 +143,39 @@ void printTearEvents(const Json& tears)
         printReportRow("what is left holds", shortNumber(left["holds"]) + " times its load now");
 }
 
+// By the name of the group that has it alone, or by its id.
+std::string particleName(const Landing& landing, const Scene& scene)
+{
+    const std::vector<Id> alone{Id{landing.particle}};
+    for (const Entry& entry : scene.items)
+        if (const Group* group = std::get_if<Group>(&entry.item); group && group->members == alone)
+            return group->name;
+    const Item* const part = findItem(scene, Id{landing.part});
+    return "particle " + std::to_string(landing.particle)
+           + (part ? " of " + nameOf(*part) : std::string());
+}
+
+void printLandings(const Json& landings)
+{
+    constexpr std::size_t most = 3;
+    const auto rounded = [](const Json& number) { // to 1 cm and 1 cm/s; 0.0 in place of -0.0
+        return shortNumber(std::round(100.0 * number.get<double>()) / 100.0 + 0.0);
+    };
+    for (std::size_t i = 0; i < std::min(most, landings.size()); ++i) {
+        const Json& landing = landings[i];
+        const Json& place = landing["place"];
+        const double down = -landing["velocity"][1].get<double>();
+        printReportRow(i == 0 ? "landed" : "",
+                       rounded(landing["speed"]) + " m/s, " + rounded(down) + " m/s down, at "
+                           + shortNumber(landing["time"])
+                           + " s: " + landing["name"].get<std::string>() + " on "
+                           + landing["collider"].get<std::string>() + ", at " + rounded(place[0])
+                           + ", " + rounded(place[1]) + ", " + rounded(place[2]) + " m");
+    }
+    if (landings.size() > most)
+        printReportRow("", "and " + std::to_string(landings.size() - most) + " more: --json");
+}
+
 void printWorstMargin(const Json& loads)
 {
     if (loads.is_null())
@@ -214,6 +247,26 @@ Json runReport(const Simulation& simulation, double wallSeconds)
     if (interrupted())
         result["interrupted"] = true;
     return result;
+}
+
+Json landingsOf(std::span<const Landing> landings, const Scene& scene)
+{
+    const auto named = [&](std::uint32_t id) {
+        const Item* const item = findItem(scene, Id{id});
+        return item ? nameOf(*item) : std::to_string(id);
+    };
+    Json all = Json::array();
+    for (const Landing& landing : landings)
+        all.push_back(
+            {{"time", landing.time},
+             {"part", named(landing.part)},
+             {"collider", named(landing.collider)},
+             {"particle", landing.particle},
+             {"name", particleName(landing, scene)},
+             {"place", {landing.place.x(), landing.place.y(), landing.place.z()}},
+             {"speed", landing.speed()},
+             {"velocity", {landing.velocity.x(), landing.velocity.y(), landing.velocity.z()}}});
+    return all;
 }
 
 Json namesWithoutStrength(const Scene& scene)
@@ -290,6 +343,7 @@ void printRunTable(const Json& result, const Layout& layout)
         printTearEvents(tears);
     }
     printWorstMargin(result["loads"]);
+    printLandings(result["landings"]);
     if (result.contains("settled")) {
         const Json& end = result["settled"];
         const bool still = end["still"].get<bool>();

@@ -1,6 +1,7 @@
 // What `ripstop-cli run` says of a run: one JSON object, from which the table is printed too.
 #pragma once
 
+#include "recording/landing_watch.h"
 #include "simulation/simulation.h"
 #include "step/step_times.h"
 #include "terminal/terminal.h"
@@ -9,6 +10,9 @@ namespace ripstop {
 
 Json runReport(const Simulation& simulation, double wallSeconds);
 Json settlingOf(const Settling& end);
+
+// `scene` says what things are called; it needs its items alone.
+Json landingsOf(std::span<const Landing> landings, const Scene& scene);
 
 // The materials that carry loads and have no strength for them, for a report of loads.
 Json namesWithoutStrength(const Scene& scene);
