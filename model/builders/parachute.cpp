@@ -3,11 +3,13 @@
 // A flat circular canopy of nominal diameter D0, in the shape that it takes when it is full: a
 // spherical cap whose arc is D0 long and whose mouth is `fullness` D0 wide. With 6 rings and 24
 // sectors: 1 + 6 S = 145 particles, 17 S = 408 rods, 11 S = 264 panels, then S lines and the
-// payload. The paper holds the mouth open with a hoop: two virtual particles tied to the whole
-// skirt, which makes a rigid double pyramid of 3 S rods.
+// payload. With a `vent` the first row of nodes is its rim: 1 + 7 S particles. A hem runs around
+// it, and lines that go on where the seams between the gores end cross it, tied where they meet.
+// The paper holds the mouth open with a hoop: two virtual particles tied to the whole skirt, which
+// makes a rigid double pyramid of 3 S rods.
 //
 // The air law's coefficient is chosen such that the drag is that of the wanted coefficient CD0 on
-// the nominal area: Cn sum(A ny^2) = CD0 pi D0^2 / 4. The payload then sinks at
+// the nominal area: Cn sum(A ny^2) = CD0 pi D0^2 / 4, less the vent. The payload then sinks at
 // v = sqrt(2 m g / (rho CD0 S0)) (Knacke 1991, page 5-128).
 //
 // With `pressure` the canopy is cut as it is sewn, a flat disc of cloth whose threads resist
@@ -41,10 +43,11 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"hoop",          "",       1,      0, 1,     true,  "1 holds the skirt open with a rigid hoop where there is no canopy pressure, 0 leaves it to the air.", {}, {}, {}, isZero("pressure")},
     {"diameter",      "m",      5,      0.3, 60,  false, "Nominal diameter D0: that of the canopy laid out flat.", "Canopy"},
     {"fullness",      "",       0.67,   0.5, 0.95, false, "Width of the open mouth over the nominal diameter; 0.67 to 0.70 for flat circular canopies."},
+    {"vent",          "m",      0,      0, 12,    false, "Diameter of the hole in the crown, laid out flat, with lines across it; 5 to 10 % of the nominal diameter are usual and half of it is the most, 0 has none."},
     {"drag",          "",       0.775,  0.05, 2,  false, "Drag coefficient CD0 on the nominal area; 0.75 to 0.80 for flat circular canopies.", {}, {}, {}, isZero("pressure")},
     {"cloth",         "",       0,      0, canopyCloths.size() - 1, true, "Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.", "Materials", canopyCloths, 1},
     {"cord",          "",       0,      0, canopyCords.size() - 1, true, "What the suspension lines are made of; ideal ones never stretch.", {}, canopyCords, 1},
-    {"tape",          "",       0,      0, canopyTapes.size() - 1, true, "What is sewn into the skirt and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.", {}, canopyTapes, {}, isNotZero("cloth")},
+    {"tape",          "",       0,      0, canopyTapes.size() - 1, true, "What is sewn into the skirt, the rim of a vent and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.", {}, canopyTapes, {}, isNotZero("cloth")},
     {"grain",         "deg",    0,      0, 90,    false, "Angle between the warp of real cloth and the middle of its gore; 45 is a bias cut.", {}, {}, {}, isNotZero("cloth")},
     {"payload",       "kg",     25,     0.01, 2000, false, "Mass that hangs below.", "Load and lines"},
     {"line_length",   "m",      4.5,    0.3, 60,  false, "From the skirt to the payload; 0.8 to 1 nominal diameter is usual."},
@@ -64,6 +67,9 @@ constexpr auto ownParameters = std::to_array<Parameter>({
 });
 // clang-format on
 constexpr auto parameters = joined(ownParameters, patchParameters(canopyPatches, 0.4));
+
+// m, of the vent; a larger one would leave no canopy.
+double ventOf(const Parameters& p) { return std::min(p.at("vent"), 0.5 * p.at("diameter")); }
 
 // Half the angle that the cap spans at its centre: sin(a) / a = fullness.
 double capAngle(double fullness)
@@ -90,36 +96,48 @@ double slackOfGores(double sectors)
     return middle * middle;
 }
 
-// Nodes of a polar mesh: node(0, ...) is the apex.
+// Nodes of a polar mesh: the first is the apex, which all gores share, or with a vent the crossing
+// of the lines over it; then rings from the apex, or the rim of the vent, to the skirt.
 class Canopy
 {
 public:
     Canopy(Network& network, const Parameters& p)
         : m_rings(int(p.at("rings")))
         , m_sectors(int(p.at("sectors")))
+        , m_hasVent(p.at("vent") > 0.0)
     {
+        const double vent = ventOf(p) / p.at("diameter"); // 1
         const double angle = capAngle(p.at("fullness"));
         const double diameter = laidOut(p);
         const double radius = 0.5 * diameter / angle;
         const bool folded = p.at("pressure") > 0.0;
         m_radius = folded ? 0.0 : radius;
         const double slack = folded && !isIdeal(p, "cloth") ? slackOfGores(m_sectors) : 1.0;
-        for (int ring = 0; ring <= m_rings; ++ring)
-            for (int sector = 0; sector < (ring ? m_sectors : 1); ++sector) {
-                const double polar = angle * ring / m_rings;
-                const double turn = 2.0 * pi * sector / m_sectors;
-                const Vec3 out(std::cos(turn), 0.0, std::sin(turn));
-                const double reach = 0.5 * ring / m_rings;
-                const double along = reach * diameter;
-                const Vec3 full =
-                    radius * (std::sin(polar) * out + std::cos(polar) * Vec3::UnitY());
-                const Id node = network.particle(folded ? Vec3(along * out) : full);
-                network.texture(node, 0.5 + reach * out.x(), 0.5 + reach * out.z());
-                m_nodes.push_back(node);
-                m_start.push_back(p.at("mouth") > 0.0
-                                      ? tube(0.5 * p.at("mouth") * diameter, slack * along, out)
-                                      : Vec3(slack * full));
-            }
+        // `steps` rings from the apex, along the cloth
+        const auto addNode = [&](double steps, int sector, bool isOnAxis) {
+            const double polar = angle * steps / m_rings;
+            const double turn = 2.0 * pi * sector / m_sectors;
+            const Vec3 out(std::cos(turn), 0.0, std::sin(turn));
+            const double reach = 0.5 * steps / m_rings;
+            const double along = reach * diameter;
+            const Vec3 full = radius * (std::sin(polar) * out + std::cos(polar) * Vec3::UnitY());
+            const Vec3 start = p.at("mouth") > 0.0
+                                   ? tube(0.5 * p.at("mouth") * diameter, slack * along, out)
+                                   : Vec3(slack * full);
+            const auto placed = [&](const Vec3& place) {
+                return isOnAxis ? Vec3(0.0, place.y(), 0.0) : place;
+            };
+            const double drawn = isOnAxis ? 0.0 : reach;
+            const Id node = network.particle(placed(folded ? Vec3(along * out) : full));
+            network.texture(node, 0.5 + drawn * out.x(), 0.5 + drawn * out.z());
+            m_nodes.push_back(node);
+            m_start.push_back(placed(start));
+        };
+        const double rim = vent * m_rings; // 0 without a vent: then it is the apex
+        addNode(rim, 0, true);
+        for (int ring = m_hasVent ? 0 : 1; ring <= m_rings; ++ring)
+            for (int sector = 0; sector < m_sectors; ++sector)
+                addNode(rim + (1.0 - vent) * ring, sector, false);
         m_resists = folded || !isIdeal(p, "cloth") ? Resists::Tension : Resists::Both;
     }
 
@@ -150,13 +168,14 @@ public:
 
     Id at(int ring, int sector) const
     {
-        return ring == 0 ? m_nodes[0]
-                         : m_nodes[1 + (ring - 1) * m_sectors + (sector + m_sectors) % m_sectors];
+        const int row = m_hasVent ? ring : ring - 1;
+        return row < 0 ? m_nodes[0]
+                       : m_nodes[1 + row * m_sectors + (sector + m_sectors) % m_sectors];
     }
     const std::vector<Id>& nodes() const { return m_nodes; }
     std::vector<Id> skirt() const { return {m_nodes.end() - m_sectors, m_nodes.end()}; }
 
-    // `seam` and `skirt` are what is sewn along the gores and the mouth.
+    // `seam` and `skirt` are what is sewn along the gores, and around the mouth and the vent.
     void weave(Network& network, const CanopyMaterials& materials, Id seam, Id skirt) const
     {
         for (int ring = 1; ring <= m_rings; ++ring)
@@ -168,7 +187,7 @@ public:
                 const Id d = at(ring - 1, sector + 1);
                 network.rod(a, c, seam, m_resists);
                 network.rod(a, b, ring == m_rings ? skirt : materials.seams, m_resists);
-                if (ring == 1) {
+                if (ring == 1 && !m_hasVent) {
                     network.panel(c, b, a, cloth);
                     continue;
                 }
@@ -178,6 +197,18 @@ public:
                 network.panel(c, leanRight ? d : b, a, cloth);
                 network.panel(leanRight ? a : c, d, b, cloth);
             }
+        for (int sector = 0; m_hasVent && sector < m_sectors; ++sector)
+            network.rod(at(0, sector), at(0, sector + 1), skirt, m_resists);
+    }
+
+    // Ties the rim of the vent over the middle; `density` in kg/m.
+    void crossVent(Network& network, Id lines, double density) const
+    {
+        for (int sector = 0; m_hasVent && sector < m_sectors; ++sector) {
+            const Id rim = at(0, sector);
+            const double length = (network.position(rim) - network.position(m_nodes[0])).norm();
+            network.line(m_nodes[0], rim, 1, length * density, lines, Resists::Tension);
+        }
     }
 
 private:
@@ -192,6 +223,7 @@ private:
 
     int m_rings;
     int m_sectors;
+    bool m_hasVent;
     double m_radius; // m, of the sphere that it is a cap of; 0 for one that is cut flat
     Resists m_resists;
     std::vector<Id> m_nodes;
@@ -218,6 +250,7 @@ void layCloth(Scene& scene, Network& network, const Canopy& canopy, const Parame
     if (isIdeal(p, "cloth")) {
         canopy.weave(network, materials, materials.seams, materials.seams);
         network.addFabricMass(p.at("fabric"));
+        canopy.crossVent(network, materials.lines, cordDensity(p, canopyChoices));
         return;
     }
     Material sewn;
@@ -231,6 +264,7 @@ void layCloth(Scene& scene, Network& network, const Canopy& canopy, const Parame
     network.addFabricMass(clothDensity(p, canopyChoices));
     for (const Id hem : craft.hems)
         network.addLinkMass(hem, hemDensity(p, canopyChoices));
+    canopy.crossVent(network, materials.lines, cordDensity(p, canopyChoices));
 }
 
 Result<Scene> buildParachute(const Parameters& p)
@@ -261,7 +295,8 @@ Result<Scene> buildParachute(const Parameters& p)
         canopy.shape(network);
     } else {
         setDrag(scene, network, craft.allCloth(), p.at("drag"),
-                0.25 * pi * p.at("diameter") * p.at("diameter"));
+                0.25 * pi * p.at("diameter") * p.at("diameter")
+                    - 0.25 * pi * ventOf(p) * ventOf(p));
     }
 
     const std::size_t firstLineRod = network.part().links.size();

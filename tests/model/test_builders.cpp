@@ -7,6 +7,8 @@
 #include "builders/builder.h"
 #include "builders/statics.h"
 #include "check/check.h"
+#include "derived/canopy_shape.h"
+#include "derived/cloth_area.h"
 #include "registered_test.h"
 
 #include <QtTest>
@@ -48,6 +50,15 @@ Counts countsOf(const Scene& scene)
             (link.kind == LinkKind::Rod ? counts.rods : counts.springs)++;
     });
     return counts;
+}
+
+// Whether a link lies on a ray from the axis, seen from above.
+bool isOnRay(const Part& part, const Link& link, const Vec3& ray)
+{
+    const Vec3 way =
+        findRow(part.particles, link.from)->position - findRow(part.particles, link.to)->position;
+    const Vec3 level(way.x(), 0.0, way.z());
+    return level.dot(ray) > (1.0 - 1e-9) * level.norm() * ray.norm();
 }
 
 const Group& group(const Scene& scene, std::string_view name)
@@ -96,6 +107,9 @@ private slots:
         row("parachute, 28 sectors of the C-9", "parachute", {{"sectors", 28}, {"hoop", 0}},
             169 + 84 + 1, 476 + 112, 0, 308);
         row("parachute that holds air", "parachute", {{"pressure", 1.68}}, 218, 504, 0, 264);
+        // a vent: V = 1 + 7S, T = 12S, E = 18S, a rim of S and lines of S to the crossing
+        row("parachute with a vent", "parachute", {{"vent", 0.4}, {"hoop", 0}}, 169 + 73, 480 + 96,
+            0, 288);
         row("rod of the papers", "stiffened_rod", {}, 6, 11, 0, 0);
         row("rope", "rope", {{"segments", 14}}, 15, 14, 0, 0);
         row("rope with second neighbours", "rope", {{"segments", 14}, {"stiffened", 1}}, 15, 27, 0,
@@ -318,6 +332,69 @@ private slots:
         const double expected = 0.5 * 1.225 * 0.775 * 0.25 * M_PI * 25.0;
         QVERIFY(std::abs(load.force.y() / expected - 1.0) < 1e-9);
         QVERIFY(std::abs(load.force.x()) < 1e-9 && std::abs(load.force.z()) < 1e-9);
+    }
+
+    // A vent of the diameter d takes its disc off the cloth. Cloth ends at its rim, which lies flat
+    // at d / 2 from where the lines over it cross; these go on where the seams of the gores end.
+    void ventOfAParachute_data()
+    {
+        QTest::addColumn<double>("cloth");
+        QTest::addColumn<double>("pressure");
+        QTest::newRow("ideal, a cap") << 0.0 << 0.0;
+        QTest::newRow("ideal, cut flat") << 0.0 << 1.68;
+        QTest::newRow("nylon") << 1.0 << 1.68;
+    }
+
+    void ventOfAParachute()
+    {
+        QFETCH(double, cloth);
+        QFETCH(double, pressure);
+        constexpr double vent = 0.5; // m, of 5 m
+        const Parameters whole{{"cloth", cloth}, {"cord", cloth}, {"pressure", pressure}};
+        Parameters vented = whole;
+        vented["vent"] = vent;
+        const Scene scene = built("parachute", vented);
+        const Part& part = partOf(scene);
+        QVERIFY(problemsOf(scene).empty());
+        const Particle& crossing = part.particles.front();
+        std::vector<Id> rim;
+        for (const Link& link : part.links)
+            if (link.from == crossing.id) {
+                QCOMPARE(link.resists, Resists::Tension);
+                rim.push_back(link.to);
+            }
+        QCOMPARE(rim.size(), std::size_t(24));
+        for (const Id id : rim) {
+            const Vec3 spoke = findRow(part.particles, id)->position - crossing.position;
+            QVERIFY(std::abs(spoke.y()) < 1e-9);
+            QVERIFY(spoke.norm() < 0.51 * vent && spoke.norm() > 0.45 * vent);
+            // the seam begins there and goes on the same way
+            const auto seam = std::ranges::find_if(part.links, [&](const Link& link) {
+                return link.to == id && std::ranges::find(rim, link.from) == rim.end()
+                       && link.from != crossing.id && isOnRay(part, link, spoke);
+            });
+            QVERIFY(seam != part.links.end());
+        }
+        for (const Panel& panel : part.panels)
+            for (const Id corner : {panel.a, panel.b, panel.c})
+                QVERIFY(corner != crossing.id);
+        if (cloth > 0.0) {
+            const double flat = ClothArea(part).whole();
+            const double expected = 0.25 * M_PI * (25.0 - vent * vent);
+            QVERIFY(std::abs(flat / expected - 1.0) < 1e-9);
+        }
+        if (pressure > 0.0) {
+            const auto pieces = canopyPieces(part);
+            QVERIFY(bool(pieces));
+            QCOMPARE(pieces->size(), std::size_t(1));
+            QCOMPARE(pieces->front().vents.size(), std::size_t(1));
+            QVERIFY(std::ranges::is_permutation(pieces->front().vents[0], rim));
+        } else {
+            // on what is left of the nominal area
+            const Load load = airLoad(scene, part, Vec3::UnitY());
+            const double expected = 0.5 * 1.225 * 0.775 * 0.25 * M_PI * (25.0 - vent * vent);
+            QVERIFY(std::abs(load.force.y() / expected - 1.0) < 1e-9);
+        }
     }
 
     // The glider starts in trim: in its own wind the air carries the weight, through the centre of
