@@ -115,7 +115,7 @@ void addBundle(CLI::App& app, Command& chosen)
         ->required()
         ->type_name("TARGET");
     command->add_option("--seconds", options->seconds, "Simulated time, s; 10 unless given")
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("T");
     command
         ->add_option("--controls", options->controls,

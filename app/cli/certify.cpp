@@ -96,7 +96,7 @@ void addCertify(CLI::App& app, Command& chosen)
     addSetOption(*command, options->scene.assignments);
     command->add_option("--seconds", options->seconds, "Simulated time, s")
         ->required()
-        ->check(numberBetween(1e-9, 1e9))
+        ->transform(secondsBetween(1e-9, 1e9))
         ->type_name("T");
     command
         ->add_option("--controls", options->controls,

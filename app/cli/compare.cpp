@@ -80,7 +80,7 @@ void addCompare(CLI::App& app, Command& chosen)
     command->add_option("FIRST", options->a, "Recording, *.ripstop-run")->required();
     command->add_option("SECOND", options->b, "Another one, of the same particles")->required();
     command->add_option("--interval", options->interval, "Between rows, s; 0 is every frame")
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("S");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->footer("Example:\n"

@@ -197,13 +197,13 @@ void addExport(CLI::App& app, Command& chosen)
         ->capture_default_str()
         ->type_name("F");
     command->add_option("--from", options->from, "Simulated time of the first frame, s")
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("T0");
     command
         ->add_option("--to", options->to,
                      "Simulated time of the last frame, s; by default 10 s after the first, or the "
                      "end of the recording; for one moment the first itself")
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("T1");
     command
         ->add_option("--controls", options->controls,

@@ -24,13 +24,14 @@
 #include "recording/recorder.h"
 #include "run/pose.h"
 #include "run/settle.h"
+#include "scene/typed_number.h"
 #include "simulation/simulation.h"
 #include "step/step_times.h"
 #include "study/probe_names.h"
+#include "terminal/output.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <iostream>
 
@@ -56,6 +57,7 @@ struct RunOptions
     bool profile = false;
     bool json = false;
     bool strict = false;   // ends with an exit code of its own where the accuracy was missed
+    int printed = 0;       // tables that go to the standard output
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
@@ -218,6 +220,17 @@ int judge(const Simulation& simulation, const Json& result, const RunOptions& op
     return Done;
 }
 
+// On the standard error where a table has the standard output for itself.
+void tellReport(const Json& result, const Layout& layout, const RunOptions& options)
+{
+    const OutputOnError beside(options.printed > 0);
+    if (options.json)
+        return print(result);
+    printRunTable(result, layout);
+    if (options.profile)
+        printProfile(result);
+}
+
 // Flies a compiled scene, writes what was asked for and reports.
 int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& options,
                  const std::optional<SettleGoal>& goal, ControlTrack track,
@@ -247,12 +260,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& o
         result["settled"] = settlingOf(settler->progress());
     if (options.profile)
         result["profile"] = profileOf(times, wallSeconds);
-    if (options.json)
-        print(result);
-    else
-        printRunTable(result, *simulation.frame()->layout);
-    if (options.profile && !options.json)
-        printProfile(result);
+    tellReport(result, *simulation.frame()->layout, options);
     for (const Failure& failure : unwritten)
         fail(BadInput, failure.message);
     return unwritten.empty() ? judge(simulation, result, options, lasting) : BadInput;
@@ -269,9 +277,9 @@ Result<std::optional<SettleGoal>> settleGoal(const RunOptions& options)
     SettleGoal goal{.damped = options.damped};
     goal.within = options.seconds.value_or(goal.within);
     if (!options.settleSpeed.empty()) {
-        const char* const end = options.settleSpeed.data() + options.settleSpeed.size();
-        const auto [rest, error] = std::from_chars(options.settleSpeed.data(), end, goal.speed);
-        if (error != std::errc() || rest != end || !(goal.speed > 0.0 && goal.speed < 1e9))
+        const Typed typed = typedValue(options.settleSpeed, "m/s");
+        goal.speed = typed.number ? typed.number->number : 0.0;
+        if (!(goal.speed > 0.0 && goal.speed < 1e9))
             return Failure("--settle: \"%1\" is no speed; give m/s above 0, like 0.01.",
                            options.settleSpeed);
     }
@@ -301,6 +309,8 @@ int run(const RunOptions& options)
                                     "fly its scene.ripstop.json for anything else.");
         return flyBundle(options.scene.file, options.threads, options.json);
     }
+    if (options.printed > 1)
+        return fail(WrongUsage, "The standard output takes one table: give the others a file.");
     const auto goal = settleGoal(options);
     if (!goal)
         return fail(WrongUsage, goal.message());
@@ -350,7 +360,7 @@ void addRun(CLI::App& app, Command& chosen)
     command
         ->add_option("--seconds", options->seconds,
                      "Simulated time, s; with --settle the longest, 60 unless given")
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("T");
     CLI::Option* settle =
         command
@@ -367,7 +377,10 @@ void addRun(CLI::App& app, Command& chosen)
                       "End with exit code 5 when the wanted accuracy was missed");
     addSetOption(*command, options->scene.assignments);
     addThreadsOption(*command, options->threads);
-    command->add_option("--csv", options->csv, "Write the probes after every time step")
+    command
+        ->add_option("--csv", options->csv,
+                     "Write the probes after every time step; - writes to the standard output, as "
+                     "it does of the tables below, and the report goes to the standard error")
         ->type_name("FILE");
     command
         ->add_option("--tears", options->tears,
@@ -415,6 +428,9 @@ void addRun(CLI::App& app, Command& chosen)
         "the first step and particle that do are named.");
     command->callback([options, settle, command, &chosen] {
         options->settles = settle->count() > 0;
+        for (std::string* table :
+             {&options->csv, &options->tears, &options->loads, &options->events})
+            options->printed += takeStandardOutput(*table);
         for (const CLI::Option* option : command->get_options({}))
             options->asksMore |= option->count() > 0 && option->get_name() != "SCENE"
                                  && option->get_name() != "--threads"

@@ -4,8 +4,10 @@
 
 #include "check/check.h"
 #include "check/unknown.h"
+#include "io/json_text.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
+#include "scene/typed_number.h"
 #include "simulation/simulation.h"
 #include "study/point_scene.h"
 #include "terminal/terminal.h"
@@ -37,6 +39,19 @@ CLI::Validator numberBetween(double low, double high)
                     return {};
                 return "must be a number from " + shortNumber(low) + " to " + shortNumber(high)
                        + ", not " + text;
+            },
+            ""};
+}
+
+CLI::Validator secondsBetween(double low, double high)
+{
+    return {[low, high](std::string& text) -> std::string {
+                const Typed typed = typedValue(text, "s");
+                if (!typed.number || typed.number->number < low || typed.number->number > high)
+                    return "must be a number from " + shortNumber(low) + " to " + shortNumber(high)
+                           + " s, not " + text;
+                text = numberText(typed.number->number);
+                return {};
             },
             ""};
 }

@@ -25,6 +25,9 @@ void addSceneOption(CLI::App& command, SceneInput& input);
 // Accepts a finite number in the range. CLI::Range is not used because it lets "nan" through.
 CLI::Validator numberBetween(double low, double high);
 
+// The same of a time, for ->transform(): "0.2 s", "300 ms" and "1/3 min" are as good as a number.
+CLI::Validator secondsBetween(double low, double high);
+
 // --threads, all of the machine's when it is left out.
 void addThreadsOption(CLI::App& command, int& threads);
 

@@ -250,7 +250,7 @@ void addStudyNew(CLI::App& study, Command& chosen)
         ->check(CLI::Range(std::int64_t(1), std::int64_t(mostStudyPoints)));
     command->add_option("--seed", options->seed, "Of what is drawn");
     command->add_option("--seconds", options->seconds, "Simulated time of each flight, s")
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("T");
     command->add_flag("--until-tear", options->untilTear, "End a flight with its first tear");
     command->add_flag("--replace", options->replaces, "Also where there is a file of that name");

@@ -372,13 +372,13 @@ void addSweep(CLI::App& app, Command& chosen)
         ->allow_extra_args(false);
     command->add_option("--seconds", options->seconds, "Simulated time of each run, s")
         ->required()
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("T");
     command
         ->add_option("--from", options->from,
                      "Simulated time, s, from which means and extremes are taken: what comes "
                      "before, as a start that has to die away, does not count")
-        ->check(numberBetween(0.0, 1e9))
+        ->transform(secondsBetween(0.0, 1e9))
         ->type_name("T");
     command
         ->add_option("-o,--output", options->output, "The table, CSV; on standard output without")

@@ -37,6 +37,14 @@ bool isInput(const std::string& target, const FileNames& inputs)
     return false;
 }
 
+bool takeStandardOutput(std::string& target)
+{
+    if (target != "-")
+        return false;
+    target = "/dev/stdout";
+    return true;
+}
+
 int refuseTargets(const FileNames& targets, const FileNames& inputs)
 {
     for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -12,6 +12,9 @@ namespace ripstop {
 // Files that a command reads or writes; empty names stand for options that were not given.
 using FileNames = std::vector<std::string>;
 
+// "-" is the standard output: its device takes the place of the name. Whether it was that.
+bool takeStandardOutput(std::string& target);
+
 // Returns Done, or the exit code after a message has been printed.
 int refuseTargets(const FileNames& targets, const FileNames& inputs);
 

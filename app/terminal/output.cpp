@@ -133,4 +133,15 @@ int StandardOutput::finish(int exitCode)
     return code;
 }
 
+OutputOnError::OutputOnError(bool isActive)
+    : m_before(isActive ? std::cout.rdbuf(std::cerr.rdbuf()) : nullptr)
+{}
+
+OutputOnError::~OutputOnError()
+{
+    std::cout.flush();
+    if (m_before)
+        std::cout.rdbuf(m_before);
+}
+
 } // namespace ripstop

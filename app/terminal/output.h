@@ -31,4 +31,18 @@ private:
     std::streambuf* m_errorBefore;
 };
 
+// Has what is printed as a result go to the standard error while it stands, where something else
+// has the standard output for itself.
+class OutputOnError
+{
+public:
+    explicit OutputOnError(bool isActive);
+    ~OutputOnError();
+    OutputOnError(const OutputOnError&) = delete;
+    OutputOnError& operator=(const OutputOnError&) = delete;
+
+private:
+    std::streambuf* m_before; // null where it goes where it always goes
+};
+
 } // namespace ripstop

@@ -77,6 +77,47 @@ private slots:
         QVERIFY(end > 0 && json > end);
     }
 
+    // - is the standard output, as of other programs: it has the table alone, and what people read
+    // goes to the standard error.
+    void aTableIsTheOutput()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("rope.csv");
+        const QString run = "$CLI run " + scene("rope") + " --seconds 0.1 --csv ";
+        QCOMPARE(shell(run + path).exitCode, 0);
+        for (const QString form : {" | cat", " --json | cat"}) {
+            const Outcome outcome = shell(run + "-" + form);
+            QCOMPARE(outcome.exitCode, 0);
+            QCOMPARE(outcome.out, contentOf(path));
+            QVERIFY2(outcome.error.contains("hash"), qPrintable(outcome.error));
+        }
+        const Outcome two = shell(run + "- --tears -");
+        QCOMPARE(two.exitCode, 2);
+        QVERIFY(two.out.isEmpty() && two.error.contains("takes one table"));
+    }
+
+    // Times may have a unit, in every command, and are refused with another.
+    void timesHaveUnits()
+    {
+        const auto hash = [](const QString& seconds) {
+            return call({"run", scene("rope"), "--seconds", seconds, "--json"})
+                .json()["hash"]
+                .toString();
+        };
+        const QString plain = hash("0.3");
+        QCOMPARE(plain.size(), 16);
+        for (const char* seconds : {"0.3 s", "300ms", "1/200 min", "0,3 s"})
+            QCOMPARE(hash(seconds), plain);
+        QVERIFY(hash("0.2 s") != plain);
+        const Outcome metres = call({"run", scene("rope"), "--seconds", "3 m"});
+        QCOMPARE(metres.exitCode, 2);
+        QVERIFY2(metres.error.contains("from 0 to 1e+09 s, not 3 m"), qPrintable(metres.error));
+        const Outcome speed = call({"run", scene("rope"), "--settle", "1 m", "--seconds", "0.1"});
+        QVERIFY2(speed.error.contains("is no speed"), qPrintable(speed.error));
+        QCOMPARE(call({"run", scene("rope"), "--settle", "1 cm/s", "--seconds", "0.1"}).exitCode,
+                 0);
+    }
+
     // The shell has opened the file already, and goes on with it.
     void aTableGoesWhereStandardOutputGoes()
     {
