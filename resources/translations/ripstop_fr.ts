@@ -11346,6 +11346,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Diameter of the hole in the crown, laid out flat, with lines across it; 5 to 10 % of the nominal diameter are usual and half of it is the most, 0 has none.</source>
+        <translation>Diamètre de l’ouverture au sommet, étalée à plat, traversée de suspentes ; 5 à 10 % du diamètre nominal sont usuels et la moitié est le maximum, 0 n’en fait pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Diamond kite</source>
         <translation>Cerf-volant losange</translation>
     </message>
@@ -15016,6 +15021,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Vent</source>
+        <translation>Cheminée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Verlet</source>
         <translation>Verlet</translation>
     </message>
@@ -15146,8 +15156,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>What is sewn into the skirt and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.</source>
-        <translation>Ce qui est cousu dans la jupe et sur les coutures entre les fuseaux d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
+        <source>What is sewn into the skirt, the rim of a vent and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.</source>
+        <translation>Ce qui est cousu dans la jupe, au bord d’une cheminée et sur les coutures entre les fuseaux d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -17875,6 +17885,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="weight.cpp"/>
         <source>weight</source>
         <translation>le poids</translation>
+    </message>
+    <message>
+        <location filename="weight_check.cpp"/>
+        <source>%1 of %2, of %3 kg, weighs %4 N, and the %5 links that hold it break at %6 N together at best: make it lighter, or the links stronger or more.</source>
+        <translation>%1 de %2, de %3 kg, pèse %4 N, et les %5 liaisons qui la tiennent rompent ensemble à %6 N au mieux : allégez-la, ou mettez des liaisons plus fortes ou plus nombreuses.</translation>
+    </message>
+    <message>
+        <location filename="weight_check.cpp"/>
+        <source>%1 of %2, of %3 kg, weighs %4 N, and the link that holds it breaks at %5 N: make it lighter, or the link stronger.</source>
+        <translation>%1 de %2, de %3 kg, pèse %4 N, et la liaison qui la tient rompt à %5 N : allégez-la, ou renforcez la liaison.</translation>
     </message>
     <message>
         <location filename="weld.cpp"/>
