@@ -14,8 +14,8 @@
 //
 // With `pressure` the canopy is cut as it is sewn, a flat disc of cloth whose threads resist
 // tension only, so that it can fold, and holds the air that comes in by its mouth
-// (forces/canopy_air.h). It starts full, in the shape of above, or as a tube in folds with a round
-// crown.
+// (forces/canopy_air.h). It starts in the shape of above, which has the width of a full canopy, or
+// as a tube in folds with a round crown. Its air is at no pressure then: it has met no wind yet.
 //
 // Of a cloth that one can buy (builders/craft_materials.h), panels carry the canopy, cut as it is
 // sewn: the warp along the middle of each gore, or at an angle to it. Skirt and seams between the
@@ -61,7 +61,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start.", "Start"},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
     {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy", {}, 1.68},
-    {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full.", {}, {}, {}, isNotZero("pressure")},
+    {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts in the shape of a full canopy. The wind brings the pressure.", {}, {}, {}, isNotZero("pressure")},
     {"porosity",      "",       0,      0, 0.5,   false, "Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own.", {}, {}, {}, isZero("cloth")},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
 });

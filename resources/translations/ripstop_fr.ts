@@ -15366,8 +15366,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full.</source>
-        <translation>Largeur de la bouche au départ, rapportée au diamètre nominal, la toile en plis, avec une pression de voilure seulement ; 0 démarre gonflé.</translation>
+        <source>Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts in the shape of a full canopy. The wind brings the pressure.</source>
+        <translation>Largeur de la bouche au départ, rapportée au diamètre nominal, la toile en plis, avec une pression de voilure seulement ; 0 démarre dans la forme d’une voilure gonflée. La pression vient avec le vent.</translation>
     </message>
     <message>
         <location filename="tables"/>
