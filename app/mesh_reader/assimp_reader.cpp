@@ -129,7 +129,11 @@ private:
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
             const aiFace& face = mesh.mFaces[i];
             if (face.mNumIndices < 3) {
-                ++m_mesh.strayElements;
+                if (face.mNumIndices == 2)
+                    m_mesh.lines.push_back(
+                        {firstPoint + int(face.mIndices[0]), firstPoint + int(face.mIndices[1])});
+                else
+                    ++m_mesh.strayElements;
                 continue;
             }
             for (unsigned c = 0; c < face.mNumIndices; ++c) {

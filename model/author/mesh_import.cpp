@@ -232,7 +232,7 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
     Result<PolygonMesh> metres = inMetres(mesh, shape);
     if (!metres)
         return metres.failure();
-    const std::size_t stray = std::exchange(metres->strayElements, 0);
+    std::size_t stray = std::exchange(metres->strayElements, 0);
     PreparedMesh result;
     result.pictures = std::exchange(metres->pictures, {});
     result.size = boxOf(*metres).size();
@@ -251,6 +251,8 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
             if (!isUsed[i])
                 result.report.add(MeshFault::LooseVertices, metres->points[i]);
         parts = byObject(*metres);
+        if (metres->objects.size() > 1) // a line may join two of them, and is of none
+            stray += metres->lines.size();
     } else {
         parts.push_back(std::move(*metres));
     }

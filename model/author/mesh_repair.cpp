@@ -8,6 +8,7 @@
 
 #include "author/mesh_hanging.h"
 #include "author/mesh_winding.h"
+#include "shapes/lines_within.h"
 
 #include <Eigen/Geometry>
 
@@ -52,10 +53,10 @@ public:
     Result<RepairedMesh> make(const Progress& progress)
     {
         using Stage = void (Repair::*)();
-        constexpr Stage stages[]{&Repair::joinPoints,     &Repair::keepSoundFaces,
-                                 &Repair::dropDuplicates, &Repair::dropLoosePoints,
-                                 &Repair::joinHanging,    &Repair::windAlike,
-                                 &Repair::placeTexture,   &Repair::split};
+        constexpr Stage stages[]{
+            &Repair::joinPoints, &Repair::keepSoundFaces,  &Repair::dropDuplicates,
+            &Repair::dropLines,  &Repair::dropLoosePoints, &Repair::joinHanging,
+            &Repair::windAlike,  &Repair::placeTexture,    &Repair::split};
         double done = 0.0;
         for (const Stage stage : stages) {
             if (!goesOn(progress, done / double(std::size(stages))))
@@ -196,6 +197,18 @@ private:
         });
     }
 
+    // Leaves out lines that joining points has laid along faces.
+    void dropLines()
+    {
+        const std::vector<std::uint8_t> within = linesWithinFaces(mesh());
+        std::vector<std::array<int, 2>> kept;
+        for (std::size_t i = 0; i < within.size(); ++i)
+            if (!within[i])
+                kept.push_back(mesh().lines[i]);
+        mesh().strayElements += within.size() - kept.size();
+        mesh().lines = std::move(kept);
+    }
+
     // Leaves out the points that joining and leaving out faces have left without a face.
     void dropLoosePoints()
     {
@@ -276,7 +289,7 @@ Result<RepairedMesh> repaired(PolygonMesh mesh, double weldTolerance, const Prog
 std::vector<PolygonMesh> byObject(const PolygonMesh& mesh)
 {
     if (mesh.objects.size() == 1)
-        return {mesh}; // with its lines, which formats of several objects have none of
+        return {mesh};
     std::vector<PolygonMesh> meshes(mesh.objects.size());
     std::vector<std::vector<int>> facesOf(mesh.objects.size());
     for (std::size_t i = 0; i < mesh.faceCount(); ++i)

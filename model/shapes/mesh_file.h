@@ -17,9 +17,10 @@ namespace ripstop {
 Result<TriangleTree> readMeshFile(const std::filesystem::path& file);
 
 // A mesh as it is, to be brought in: polygons stay polygons, and nothing is joined or left out but
-// lines and single points. OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP,
-// VTU and what else assimp reads. VTK's bring lines that go beyond the faces, and masses of points.
-// glTF and Collada say their unit and which way is up: their points come in metres, with y up.
+// single points, and lines within the faces. OBJ, STL, PLY, OFF, glTF, GLB, Collada, VTP, VTU and
+// what else assimp reads. VTK's bring masses of points, and of lines those that go beyond the
+// faces. glTF and Collada say their unit and which way is up: their points come in metres, with y
+// up.
 Result<PolygonMesh> readPolygonFile(const std::filesystem::path& file,
                                     const Progress& progress = {});
 

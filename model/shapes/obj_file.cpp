@@ -1,10 +1,12 @@
 // Reads OBJ line by line: a backslash joins lines, a keyword chooses what to add, and what is not
-// known is passed over. Points and texture points are kept as they come; faces keep indices only,
-// because those may point forward, and checkFaces() looks at all of them in the end. The first
+// known is passed over. Points and texture points are kept as they come; faces and lines keep
+// indices only, because those may point forward, and checkFaces() and checkLines() look at all of
+// them in the end. The first
 // flaw ends the reading with its line. Colours and pictures of materials come from a second file,
 // by name.
 #include "shapes/obj_file.h"
 
+#include "shapes/lines_within.h"
 #include "shapes/text_words.h"
 
 #include <algorithm>
@@ -66,8 +68,10 @@ public:
                 return *m_failure;
         }
         checkFaces();
+        checkLines();
         if (m_failure)
             return *m_failure;
+        leaveOutLines();
         if (!m_hasTexture)
             m_mesh.texture.clear();
         return std::move(m_mesh);
@@ -82,7 +86,9 @@ private:
             addTexture(line);
         else if (keyword == "f")
             addFace(line);
-        else if (keyword == "l" || keyword == "p")
+        else if (keyword == "l")
+            addLine(line);
+        else if (keyword == "p")
             ++m_mesh.strayElements;
         else if (keyword == "o" || keyword == "g")
             startObject(keyword == "o", rest(line));
@@ -122,10 +128,10 @@ private:
             std::string_view texture;
             if (slash != std::string_view::npos)
                 texture = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
-            int index = 0;
-            if (!readNumber(point, index) || index == 0)
+            const std::optional<int> corner = pointAt(point);
+            if (!corner)
                 return refuseCorner(word);
-            m_mesh.corners.push_back(index > 0 ? index - 1 : int(m_mesh.points.size()) + index);
+            m_mesh.corners.push_back(*corner);
             int at = 0;
             if (!texture.empty() && !readNumber(texture, at))
                 return refuseCorner(word);
@@ -139,6 +145,35 @@ private:
             useMaterial({});
         m_mesh.endFace(m_object, m_material);
         m_faceLine.push_back(m_line);
+    }
+
+    // The index of a point, which counts from 1, or back from the last one.
+    std::optional<int> pointAt(std::string_view word) const
+    {
+        int index = 0;
+        if (!readNumber(word, index) || index == 0)
+            return std::nullopt;
+        return index > 0 ? index - 1 : int(m_mesh.points.size()) + index;
+    }
+
+    // Ends are "7" or "7/3"; a line may go on over many points.
+    void addLine(std::string_view line)
+    {
+        std::optional<int> before;
+        std::size_t count = 0;
+        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+            const std::optional<int> end = pointAt(word.substr(0, word.find('/')));
+            if (!end)
+                return refuse(Message("\"%1\" is not an end of a line", word));
+            if (before) {
+                m_mesh.lines.push_back({*before, *end});
+                m_lineLine.push_back(m_line);
+            }
+            before = end;
+            ++count;
+        }
+        if (count < 2)
+            ++m_mesh.strayElements;
     }
 
     // A file with objects has groups inside of them, which are left alone.
@@ -181,6 +216,33 @@ private:
             }
     }
 
+    void checkLines()
+    {
+        const int points = int(m_mesh.points.size());
+        for (std::size_t i = 0; i < m_mesh.lines.size() && !m_failure; ++i)
+            for (const int end : m_mesh.lines[i])
+                if (end < 0 || end >= points) {
+                    m_line = m_lineLine[i];
+                    return refuse(Message("a line names vertex %1 of %2", end + 1, points));
+                }
+    }
+
+    // A line of the file of which no piece is left counts once.
+    void leaveOutLines()
+    {
+        const std::vector<std::uint8_t> within = linesWithinFaces(m_mesh);
+        std::vector<std::array<int, 2>> kept;
+        for (std::size_t i = 0; i < within.size();) {
+            const int number = m_lineLine[i];
+            const std::size_t before = kept.size();
+            for (; i < within.size() && m_lineLine[i] == number; ++i)
+                if (!within[i] && m_mesh.lines[i][0] != m_mesh.lines[i][1])
+                    kept.push_back(m_mesh.lines[i]);
+            m_mesh.strayElements += kept.size() == before ? 1 : 0;
+        }
+        m_mesh.lines = std::move(kept);
+    }
+
     void refuseCorner(std::string_view word)
     {
         refuse(Message("\"%1\" is not a corner of a face", word));
@@ -197,6 +259,7 @@ private:
     std::vector<PolygonMesh::TexturePoint> m_texture;
     std::vector<int> m_textureAt; // [corners] index into m_texture, or -1
     std::vector<int> m_faceLine;  // [faces]
+    std::vector<int> m_lineLine;  // [lines]
     std::map<std::string, int, std::less<>> m_objects;
     std::map<std::string, int, std::less<>> m_materials;
     std::optional<Failure> m_failure;

@@ -12,9 +12,10 @@
 
 namespace ripstop {
 
-// Vertices (v, vt), faces (f, with negative indices too), objects (o, or g where there is no o)
-// and names of materials (usemtl). Normals, curves and smoothing groups are passed over. `name` is
-// what messages call the file; they say the line.
+// Vertices (v, vt), faces (f, with negative indices too), lines (l), objects (o, or g where there
+// is no o) and names of materials (usemtl). Normals, curves and smoothing groups are passed over.
+// Points (p), and lines all of which run along faces, are counted as left out. `name` is what
+// messages call the file; they say the line.
 Result<PolygonMesh> readObj(std::string_view text, const std::string& name,
                             const Progress& progress = {});
 

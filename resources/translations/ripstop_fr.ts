@@ -5581,6 +5581,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="obj_file.cpp"/>
+        <source>"%1" is not an end of a line</source>
+        <translation>« %1 » n’est pas un bout de ligne</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
         <source>a face names vertex %1 of %2</source>
         <translation>une face nomme le sommet %1 sur %2</translation>
     </message>
@@ -5588,6 +5593,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="obj_file.cpp"/>
         <source>a face needs three corners</source>
         <translation>une face demande trois coins</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>a line names vertex %1 of %2</source>
+        <translation>une ligne nomme le sommet %1 sur %2</translation>
     </message>
     <message>
         <location filename="obj_file.cpp"/>

@@ -167,6 +167,32 @@ private slots:
         QCOMPARE(sail.texture.front()[1], 1.0); // glTF counts from the top, here it is from below
     }
 
+    // A triangle and a line from its corner to a point below, as a primitive of lines.
+    void linesOfGltf()
+    {
+        QByteArray numbers;
+        for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, // the triangle
+                                   1.f, 0.f, 0.f, 1.f, -2.f, 0.f})              // the line
+            numbers.append(reinterpret_cast<const char*>(&number), sizeof number);
+        const QByteArray text =
+            "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+            "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":["
+            "{\"attributes\":{\"POSITION\":0}},{\"attributes\":{\"POSITION\":1},\"mode\":1}]}],"
+            "\"buffers\":[{\"byteLength\":60,\"uri\":\"data:application/octet-stream;base64,"
+            + numbers.toBase64()
+            + "\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":60}],\"accessors\":["
+              "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+              "\"min\":[0,0,0],\"max\":[1,1,0]},{\"bufferView\":0,\"byteOffset\":36,"
+              "\"componentType\":5126,\"count\":2,\"type\":\"VEC3\",\"min\":[1,-2,0],"
+              "\"max\":[1,0,0]}]}";
+        const PolygonMesh read = fileOf("line.gltf", text);
+        QCOMPARE(read.lines.size(), 1u);
+        QCOMPARE(read.strayElements, 0u);
+        const RepairedMesh surface = preparedOf(read).surfaces.front();
+        QCOMPARE(surface.mesh.points.size(), 4u); // one end is the corner
+        QCOMPARE(surface.mesh.lines.size(), 1u);
+    }
+
     void refusals_data()
     {
         QTest::addColumn<QString>("name");
@@ -189,6 +215,12 @@ private slots:
                                   << "not finite";
         QTest::newRow("a word for a corner")
             << "word.obj" << QByteArray("v 0 0 0\nf 1 a 1\n") << "\"a\" is not a corner";
+        QTest::newRow("a line to a vertex that is not there")
+            << "line.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 3 4\n")
+            << "line 5: a line names vertex 4 of 3";
+        QTest::newRow("a word for an end")
+            << "end.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 b\n")
+            << "line 5: \"b\" is not an end of a line";
         QTest::newRow("STL, cut off behind a triangle")
             << "half.stl" << cubeAsStl().left(cubeAsStl().indexOf("endfacet") + 9)
             << "in the middle of a solid";

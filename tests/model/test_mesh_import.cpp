@@ -90,6 +90,56 @@ private slots:
         QVERIFY(std::abs(widths - 3.0 * 6.0) < 1e-9);
     }
 
+    // Lines of the file: the legs of a bridle and the line below it, drawn as an object of their
+    // own whose ends lie on corners of the sail, and a spreader between two corners that no face
+    // has. They become links that pull only, 1 g/m; a line along the edge of a face is a thread
+    // already, and one that is told twice is one link.
+    void linesBecomeLinks()
+    {
+        const char* const kite = "o sail\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
+                                 "f 1 2 3 4\nf 2 5 6 3\nl 1 2\nl 1 5\n"
+                                 "o bridle\nv 1 0 0\nv 1 1 0\nv 1 0.5 -2\nv 1 0.5 -5\n"
+                                 "l 7/1 9 8/2\nl 9 10\nl -1 -2\nl 7 8\np 9\n";
+        const PolygonMesh read = meshOf(kite);
+        QCOMPARE(read.strayElements, 2u); // l 1 2, and the point
+        const PreparedMesh mesh = preparedOf(read);
+        QCOMPARE(mesh.report.count(MeshFault::StrayElements), 3u); // l 7 8 lies on an edge as well
+        for (const FabricKind carrier : {FabricKind::Threads, FabricKind::Panels}) {
+            MeshFabric fabric = plainFabric(0.5);
+            fabric.material.membraneStiffness = 1e4;
+            fabric.material.shearStiffness = 1e3;
+            fabric.carrier = carrier;
+            const Scene scene = sceneOf(mesh, fabric);
+            const Part& part = firstPart(scene);
+            QCOMPARE(part.particles.size(), 8u);
+            std::vector<double> lengths;
+            double mass = 0.0;
+            for (const Link& link : part.links)
+                if (link.role == LinkRole::Line) {
+                    QCOMPARE(link.resists, Resists::Tension);
+                    QCOMPARE(findItem<Material>(scene, link.material)->name, std::string("lines"));
+                    lengths.push_back(link.restLength);
+                }
+            for (const Particle& particle : part.particles)
+                mass += particle.mass;
+            std::ranges::sort(lengths);
+            const double leg = std::hypot(0.5, 2.0);
+            const std::vector<double> expected{2.0, leg, leg, 3.0};
+            QCOMPARE(lengths.size(), expected.size());
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                QVERIFY(std::abs(lengths[i] - expected[i]) < 1e-12);
+            QVERIFY(std::abs(mass - 2.0 * 0.5 - 1e-3 * (5.0 + 2.0 * leg)) < 1e-12);
+            QVERIFY(!hasErrors(problemsOf(scene)));
+        }
+        // objects that become parts of their own have no lines between them, and are told so
+        MeshShape apart;
+        apart.parts = MeshParts::PerObject;
+        const PreparedMesh pieces = preparedOf(read, apart);
+        QCOMPARE(pieces.surfaces.size(), 1u);
+        QVERIFY(pieces.surfaces[0].mesh.lines.empty());
+        QCOMPARE(pieces.report.count(MeshFault::StrayElements), 2u + 6u);
+    }
+
     void massIsThatOfTheArea()
     {
         const MeshImport made = importOf(preparedOf(meshOf(cubeOfQuads)), plainFabric(0.25));
