@@ -24,7 +24,7 @@ namespace {
 
 // clang-format off
 constexpr Parameter gridParameter{"grid", "m", 0.1, 0, 100, false, "Places snap to a grid of this step in the plane, unless Ctrl is held; 0 is none."};
-constexpr Parameter massParameter{"mass", "kg", 0.01, 0, 1e3, false, "Of each new particle; of a whole line that has several segments."};
+constexpr Parameter massParameter{"mass", "kg", 0.01, 0, 1e3, false, "Of each new particle; of a whole line that has several segments, where its material does not say what it weighs."};
 constexpr Parameter segmentsParameter{"segments", "", 1, 1, 1000, true, "Links between two clicks, with new particles along the way."};
 // clang-format on
 

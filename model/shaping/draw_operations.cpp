@@ -35,7 +35,7 @@ constexpr std::array linkParameters{
 constexpr std::array ropeParameters{
     Parameter{"count",    "",     10, 1, 1000, true, "Links from end to end."},
     Parameter{"slack",    "%",    0, -50, 100, false, "How much longer the rope is than the way between its ends; less than 0 is under tension."},
-    Parameter{"density",  "kg/m", 0.005, 1e-6, 50, false, "Mass per length; 0.005 is a line of 2.5 mm."},
+    Parameter{"density",  "kg/m", 0.005, 1e-6, 50, false, "Mass per length; 0.005 is a line of 2.5 mm. A material that is there and says its own keeps that."},
     Parameter{"kind",     "", 1, 0, 2, true, "Lines only do not grow longer, rods also not shorter, springs pull with a force.", {}, kinds},
     Parameter{"material", "", 0, 0, 1, true, "That of links at the ends, where there are any, or a new one.", {}, materials},
 };

@@ -223,9 +223,19 @@ Id Drawing::particle(Id part, const Vec3& position, double mass)
     return row.id;
 }
 
+double Drawing::densityOf(Id material, std::optional<double> Material::*density) const
+{
+    const Material* const known = findItem<Material>(m_scene, material);
+    return known ? (known->*density).value_or(0.0) : 0.0;
+}
+
 Id Drawing::link(Id from, Id to, const LinkStroke& stroke)
 {
-    const double length = (position(to) - position(from)).norm();
+    return tie(from, to, (position(to) - position(from)).norm(), stroke);
+}
+
+Id Drawing::tie(Id from, Id to, double length, const LinkStroke& stroke)
+{
     const auto [low, high] = std::minmax(from, to);
     if (from == to || length == 0.0 || !linkedTo(low).insert(high).second)
         return noId;
@@ -241,6 +251,9 @@ Id Drawing::link(Id from, Id to, const LinkStroke& stroke)
     rowsOf(part).links.push_back(row);
     m_partOf[row.id] = part;
     m_made.push_back(row.id);
+    const double mass = densityOf(stroke.material, &Material::linearDensity) * length;
+    for (const Id end : {from, to})
+        addMass(end, 0.5 * mass);
     return row.id;
 }
 
@@ -250,13 +263,15 @@ std::vector<Id> Drawing::rope(Id from, Id to, int count, double mass, double sla
     const Vec3 start = position(from);
     const Vec3 step = (position(to) - start) / count;
     const Id part = partOf(from);
+    if (densityOf(stroke.material, &Material::linearDensity) > 0.0)
+        mass = 0.0; // its links bring their own
     std::vector<Id> nodes{from};
     for (int i = 1; i < count; ++i)
         nodes.push_back(particle(part, start + i * step, mass / count));
     nodes.push_back(to);
     for (std::size_t i = 1; i < nodes.size(); ++i)
-        if (link(nodes[i - 1], nodes[i], stroke) != noId)
-            m_rows.at(part).links.back().restLength *= 1.0 + slack;
+        tie(nodes[i - 1], nodes[i],
+            (position(nodes[i]) - position(nodes[i - 1])).norm() * (1.0 + slack), stroke);
     for (const Id end : {from, to})
         addMass(end, 0.5 * mass / count);
     return nodes;
@@ -272,6 +287,10 @@ Id Drawing::panel(Id a, Id b, Id c, Id material)
     rowsOf(part).panels.push_back({id, a, b, c, material});
     m_partOf[id] = part;
     m_made.push_back(id);
+    const double area = 0.5 * (position(b) - position(a)).cross(position(c) - position(a)).norm();
+    const double mass = densityOf(material, &Material::arealDensity) * area;
+    for (const Id corner : {a, b, c})
+        addMass(corner, mass / 3.0);
     return id;
 }
 

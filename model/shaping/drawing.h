@@ -1,7 +1,9 @@
 // Draws a network by hand: grows one edit of particles, links and panels.
 //
 // Ends and corners are particles that are there or that were drawn before. A link belongs to the
-// part of its first end, a panel to that of its first corner.
+// part of its first end, a panel to that of its first corner. What is drawn of a material of the
+// scene whose density is known gives particles the mass that it says (scene/weigh.h): half of a
+// link to each end, a third of a panel to each corner.
 #pragma once
 
 #include "scene/edit.h"
@@ -40,9 +42,10 @@ public:
     // already: a second link there would only double the first.
     Id link(Id from, Id to, const LinkStroke& stroke);
 
-    // `count` links between particles at equal steps, with a whole mass of `mass` kg, half a
-    // segment's of which goes to each end. Answers the particles, with both ends; a rest length
-    // longer than the chord by `slack` (1) is shared out evenly.
+    // `count` links between particles at equal steps. Where the material does not say its density,
+    // they weigh `mass` kg together, half a segment's of which goes to each end. Answers the
+    // particles, with both ends; a rest length longer than the chord by `slack` (1) is shared out
+    // evenly.
     std::vector<Id> rope(Id from, Id to, int count, double mass, double slack,
                          const LinkStroke& stroke);
 
@@ -59,6 +62,8 @@ public:
 
 private:
     Id fresh();
+    Id tie(Id from, Id to, double length, const LinkStroke& stroke);               // m
+    double densityOf(Id material, std::optional<double> Material::*density) const; // 0: unknown
     Particle* drawn(Id particle);
     const Particle* row(Id particle) const;
     AddRows& rowsOf(Id part);

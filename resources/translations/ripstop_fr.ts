@@ -13016,8 +13016,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Mass per length; 0.005 is a line of 2.5 mm.</source>
-        <translation>Masse par longueur ; 0,005 est une ligne de 2,5 mm.</translation>
+        <source>Mass per length; 0.005 is a line of 2.5 mm. A material that is there and says its own keeps that.</source>
+        <translation>Masse par longueur ; 0,005 est une ligne de 2,5 mm. Un matériau présent qui dit la sienne la garde.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -8,6 +8,7 @@
 #include "builders/builder.h"
 #include "materials/presets.h"
 #include "registered_test.h"
+#include "scene/weigh.h"
 #include "shaping/drawing.h"
 #include "shaping/operation.h"
 
@@ -172,6 +173,51 @@ private slots:
         QVERIFY(density > 0.0);
         for (const Particle& particle : sheet.rows().particles)
             QVERIFY(std::abs(particle.mass - (0.1 + 2.5 * density)) < 1e-12);
+    }
+
+    // What is drawn of a material of known density weighs what that says: 5 m of 2 g/m, half at
+    // either end; a rope of it 2 % more with its slack, whatever else it is told; and a triangle
+    // of 6 m^2 of 50 g/m^2, a third at each corner. Half the density takes half of that off again.
+    void whatIsKnownIsWeighedAtOnce()
+    {
+        const auto masses = [](const Sheet& sheet) {
+            std::vector<double> all;
+            for (const Particle& particle : sheet.rows().particles)
+                all.push_back(particle.mass);
+            return all;
+        };
+        const auto know = [](Sheet& sheet, double linear, double areal) {
+            const SetValues lines{
+                &propertyOf<&Material::linearDensity>(), {sheet.material}, {linear}};
+            const SetValues cloth{
+                &propertyOf<&Material::arealDensity>(), {sheet.material}, {areal}};
+            (void)apply(sheet.scene, *weighed(sheet.scene, {Message("Know"), {lines, cloth}}));
+        };
+        const auto are = [](const std::vector<double>& got, const std::vector<double>& expected) {
+            return std::ranges::equal(got, expected,
+                                      [](double a, double b) { return std::abs(a - b) < 1e-12; });
+        };
+        Sheet line({{0, 0, 0}, {3, 4, 0}});
+        know(line, 0.002, 0.05);
+        line.link({{0, 1}});
+        QVERIFY(are(masses(line), {0.105, 0.105}));
+        know(line, 0.001, 0.05);
+        QVERIFY(are(masses(line), {0.1025, 0.1025}));
+
+        Sheet rope({{0, 0, 0}, {3, 4, 0}});
+        know(rope, 0.002, 0.05);
+        Drawing drawing(rope.scene);
+        drawing.rope(rope.nodes[0], rope.nodes[1], 2, 0.5, 0.02, {rope.material});
+        (void)apply(rope.scene, drawing.finish(Message("Rope")));
+        const double half = 0.002 * 5.1 / 4.0;
+        QVERIFY(are(masses(rope), {0.1 + half, 0.1 + half, 2.0 * half}));
+
+        Sheet sail({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
+        know(sail, 0.002, 0.05);
+        Drawing cloth(sail.scene);
+        cloth.panel(sail.nodes[0], sail.nodes[1], sail.nodes[2], sail.material);
+        (void)apply(sail.scene, cloth.finish(Message("Panel")));
+        QVERIFY(are(masses(sail), {0.2, 0.2, 0.2}));
     }
 
     // Along the rim of a sail of panels, which has no links that would tell the order.

@@ -37,7 +37,7 @@ struct DrawSettings
     LinkKind kind = LinkKind::Rod;
     Resists resists = Resists::Both;
     int segments = 1;   // of a link between two clicks
-    double mass = 0.01; // kg, of a particle; of the whole line where it has several segments
+    double mass = 0.01; // kg, as Drawing::particle() and rope() have it
 };
 
 // The tool for one of the shapes; it is made anew when another shape is chosen.
