@@ -19,8 +19,10 @@ namespace ripstop {
 namespace {
 
 constexpr double weldOverSize = 1e-5;
-constexpr double largest = 200.0;    // m
-constexpr double smallest = 0.02;    // m
+constexpr double largest = 30.0;     // m, of a mesh that is not told to be of a wrong unit
+constexpr double smallest = 0.05;    // m
+constexpr double likelyLeast = 0.2;  // m, of one in the right unit
+constexpr double likelyMost = 15.0;  // m
 constexpr double bendShare = 0.02;   // as the cloth paper's springs have
 constexpr double lineDensity = 1e-3; // kg/m
 constexpr std::uint32_t mostIds = 0xfffffff0;
@@ -76,6 +78,37 @@ Result<PolygonMesh> inMetres(const PolygonMesh& mesh, const MeshShape& shape)
     if (!(size.maxCoeff() < 1e6)) // a thousand kilometres, where forces of floats end
         return Failure{"The mesh would be more than 1000 km wide; choose a smaller unit."};
     return metres;
+}
+
+Message wordOf(const LengthUnit& unit)
+{
+    return unit.name == "mm"   ? Message("millimetres")
+           : unit.name == "cm" ? Message("centimetres")
+           : unit.name == "m"  ? Message("metres")
+           : unit.name == "in" ? Message("inches")
+                               : Message("feet");
+}
+
+// Says how large the mesh is, m, and in which unit it would have a likely size. Metres and what
+// they are cut into come before inches and feet, which far fewer programs write.
+Message sizeComplaint(const PolygonMesh& mesh, const MeshShape& shape, double size)
+{
+    const Message large = Message::number("%.4g", size);
+    if (shape.size) // which the author has chosen
+        return Message("The mesh is scaled to %1 m: hardly any fabric has such a size.", large);
+    const Message such = size > largest
+                             ? Message("The mesh is %1 m large, and hardly any fabric is", large)
+                             : Message("The mesh is only %1 m large", large);
+    if (mesh.unit)
+        return Message("%1: if its file has a wrong unit, scale it to a size.", such);
+    for (const std::size_t i : {2, 1, 0, 3, 4}) {
+        const LengthUnit& unit = lengthUnits()[i];
+        const double then = size / shape.scale * unit.metres;
+        if (then >= likelyLeast && then <= likelyMost)
+            return Message("%1: if its file is in %2, it is %3 m.", such, wordOf(unit),
+                           Message::number("%.4g", then));
+    }
+    return Message("%1: if that is wrong, scale it to a size.", such);
 }
 
 void turnOver(RepairedMesh& surface)
@@ -271,7 +304,7 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
     if (stray > 0)
         result.report.add(MeshFault::StrayElements, stray);
     if (result.size.maxCoeff() > largest || result.size.maxCoeff() < smallest)
-        result.report.add(MeshFault::OddSize, 1);
+        result.report.tell(MeshFault::OddSize, sizeComplaint(mesh, shape, result.size.maxCoeff()));
     return result;
 }
 

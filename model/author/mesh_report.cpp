@@ -32,7 +32,7 @@ const std::array<Words, meshFaultCount> table{{
     {"split_polygons",     MeshGravity::Repaired, Message("1 polygon of more than three corners became triangles."), Message("%1 polygons of more than three corners became triangles.")},
     {"texture_seams",      MeshGravity::Note,     Message("1 vertex lies on a seam of the texture: a picture is printed by the first of its texture points. The warp follows each face."), Message("%1 vertices lie on a seam of the texture: a picture is printed by the first of their texture points. The warp follows each face.")},
     {"stray_elements",     MeshGravity::Note,     Message("1 line or single point of the file was left out."), Message("%1 lines and single points of the file were left out.")},
-    {"odd_size",           MeshGravity::Warning,  Message("The mesh is larger than 200 m or smaller than 2 cm: check its unit."), Message("The mesh is larger than 200 m or smaller than 2 cm: check its unit.")},
+    {"odd_size",           MeshGravity::Warning,  Message("The mesh is larger than 30 m or smaller than 5 cm: check its unit."), Message("The mesh is larger than 30 m or smaller than 5 cm: check its unit.")},
 }};
 // clang-format on
 
@@ -49,6 +49,8 @@ MeshGravity gravityOf(MeshFault fault) { return wordsOf(fault).gravity; }
 
 Message MeshFinding::text() const
 {
+    if (!told.empty())
+        return told;
     if (count == 1)
         return wordsOf(fault).one;
     if (fault == MeshFault::OpenEdges && of != 1)
@@ -61,7 +63,7 @@ std::vector<MeshFinding> MeshReport::none()
 {
     std::vector<MeshFinding> findings;
     for (int i = 0; i < meshFaultCount; ++i)
-        findings.push_back({MeshFault(i), 0, 0, {}});
+        findings.push_back({MeshFault(i), 0, 0, {}, {}});
     return findings;
 }
 
@@ -76,6 +78,12 @@ void MeshReport::add(MeshFault fault, const Vec3& place, std::size_t count)
 void MeshReport::add(MeshFault fault, std::size_t count)
 {
     m_findings[std::size_t(fault)].count += count;
+}
+
+void MeshReport::tell(MeshFault fault, Message told)
+{
+    m_findings[std::size_t(fault)].count = 1;
+    m_findings[std::size_t(fault)].told = std::move(told);
 }
 
 void MeshReport::add(const MeshReport& other)

@@ -27,7 +27,7 @@ enum class MeshFault {
     SplitPolygons,     // of more than three corners: made triangles
     TextureSeams,      // vertices with several texture points: the picture keeps the first one
     StrayElements,     // lines and single points of the file: left out
-    OddSize            // larger than a hangar or smaller than a coin: a wrong unit?
+    OddSize            // larger than a hall or smaller than a hand: a wrong unit?
 };
 inline constexpr int meshFaultCount = 15;
 
@@ -45,6 +45,7 @@ struct MeshFinding
     std::size_t count = 0;    // of what the fault names
     std::size_t of = 0;       // rims of open edges, pieces; for others 0
     std::vector<Vec3> places; // m, of the first few, after scale and axes
+    Message told;             // in the place of the table's words, where there is more to say
 
     // "28 vertices lie on another one: joined."
     Message text() const;
@@ -55,7 +56,8 @@ class MeshReport
 public:
     void add(MeshFault fault, const Vec3& place, std::size_t count = 1);
     void add(MeshFault fault, std::size_t count);
-    void add(const MeshReport& other); // of another object of the same file
+    void tell(MeshFault fault, Message told); // once
+    void add(const MeshReport& other);        // of another object of the same file
     void setOf(MeshFault fault, std::size_t of) { m_findings[std::size_t(fault)].of = of; }
 
     // How often; 0 for what is not wrong.

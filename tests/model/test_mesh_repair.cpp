@@ -86,6 +86,56 @@ private slots:
                 || MeshFault(fault) == MeshFault::StrayElements || !found->places.empty());
     }
 
+    // Fabric larger than 30 m or smaller than 5 cm is told of, with the unit that would make it a
+    // thing to fly: metres before centimetres before millimetres.
+    void oddSizesNameTheLikelyUnit_data()
+    {
+        QTest::addColumn<double>("side"); // units of the file
+        QTest::addColumn<double>("unit"); // m, chosen
+        QTest::addColumn<QString>("told");
+        QTest::newRow("100 cm read as metres")
+            << 100.0 << 1.0
+            << "The mesh is 100 m large, and hardly any fabric is: if its file is in centimetres, "
+               "it is 1 m.";
+        QTest::newRow("2500 mm read as metres")
+            << 2500.0 << 1.0
+            << "The mesh is 2500 m large, and hardly any fabric is: if its file is in millimetres, "
+               "it is 2.5 m.";
+        QTest::newRow("3 m read as millimetres")
+            << 3.0 << 1e-3
+            << "The mesh is only 0.003 m large: if its file is in metres, it is 3 m.";
+        QTest::newRow("no unit helps")
+            << 0.01 << 1.0
+            << "The mesh is only 0.01 m large: if that is wrong, scale it to a size.";
+        QTest::newRow("a large kite") << 29.0 << 1.0 << "";
+        QTest::newRow("a small one") << 6.0 << 1e-2 << "";
+    }
+
+    void oddSizesNameTheLikelyUnit()
+    {
+        QFETCH(double, side);
+        QFETCH(double, unit);
+        QFETCH(QString, told);
+        PolygonMesh mesh = meshOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        for (Vec3& point : mesh.points)
+            point *= side;
+        MeshShape shape;
+        shape.scale = unit;
+        const auto said = [&] {
+            const auto findings = prepared(mesh, shape)->report.findings();
+            const auto found = std::ranges::find(findings, MeshFault::OddSize, &MeshFinding::fault);
+            return found == findings.end() ? QString()
+                                           : QString::fromStdString(found->text().english());
+        };
+        QCOMPARE(said(), told);
+        if (told.isEmpty())
+            return;
+        mesh.unit = unit; // no other one can be chosen then
+        QVERIFY(said().endsWith("if its file has a wrong unit, scale it to a size."));
+        shape.size = 60.0; // m, by choice
+        QCOMPARE(said(), QString("The mesh is scaled to 60 m: hardly any fabric has such a size."));
+    }
+
     // However rounding has it, what hangs on a side makes no sliver: a coarse square beside two
     // fine ones, in any position, and a triangle whose side is longer than it is high.
     void hangingPointsMakeNoSlivers()
