@@ -309,6 +309,10 @@ void BuilderDialog::collect()
         lines << tr("Raises the substeps of the scene to %1.").arg(m_outcome->substeps);
     if (const QString staying = textOf(m_outcome->staying); !staying.isEmpty())
         lines << staying;
+    if (m_outcome->painted > 0)
+        lines << tr("Strength, stiffness and grain that were painted stay at their places: on %1 "
+                    "of the links and panels.")
+                     .arg(m_outcome->painted);
     if (const QString lost = textOf(m_outcome->lost, m_outcome->letGo); !lost.isEmpty())
         lines << lost;
     if (m_outcome->figures.particles > mostShown)

@@ -14,6 +14,7 @@ void buildAgain(BuildOutcome& outcome, const BuildJob& job)
     outcome.edit = std::move(again->edit);
     outcome.bodies = {job.part};
     outcome.lost = again->lost;
+    outcome.painted = again->painted;
     outcome.staying = std::move(again->staying);
     outcome.letGo = again->letGo;
 }

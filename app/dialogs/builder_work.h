@@ -33,11 +33,12 @@ struct BuildOutcome
     int number = 0;
     Message refusal; // why there is nothing, or empty
     DesignFigures figures;
-    Scene scene;            // a new one, when the job has neither ground nor scene
-    Edit edit;              // of the open scene, otherwise
-    std::vector<Id> bodies; // to be selected: parts and obstacles that come, or the part
-    int substeps = 0;       // to which the scene is raised, or 0 where it has enough
-    HandmadeParts lost;     // of a part that is built again
+    Scene scene;             // a new one, when the job has neither ground nor scene
+    Edit edit;               // of the open scene, otherwise
+    std::vector<Id> bodies;  // to be selected: parts and obstacles that come, or the part
+    int substeps = 0;        // to which the scene is raised, or 0 where it has enough
+    HandmadeParts lost;      // of a part that is built again
+    std::size_t painted = 0; // rows of it that keep what was painted
     std::vector<OtherMaterial> staying; // of the part
     std::size_t letGo = 0;              // references of other items to what goes
 };

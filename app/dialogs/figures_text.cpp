@@ -55,6 +55,8 @@ QString textOf(const HandmadeParts& lost, std::size_t letGo)
         work << words("%1 moved").arg(counted(Kind::Particle, qsizetype(lost.moved)));
     if (lost.changed > 0)
         work << words("%1 changed rows").arg(lost.changed);
+    if (lost.painted > 0)
+        work << words("%1 painted rows").arg(lost.painted);
     if (lost.added > 0)
         work << words("%1 added rows").arg(lost.added);
     if (lost.removed > 0)

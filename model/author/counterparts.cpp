@@ -15,12 +15,6 @@
 namespace ripstop {
 namespace {
 
-const Entry& partOf(const Scene& scene)
-{
-    return *std::ranges::find_if(
-        scene.items, [](const Entry& entry) { return std::holds_alternative<Part>(entry.item); });
-}
-
 std::size_t countAt(const std::vector<Particle>& built, const std::vector<Particle>& held,
                     const Eigen::Affine3d& map, double tolerance)
 {
@@ -73,7 +67,7 @@ public:
         : m_scene(scene)
         , m_built(built)
         , m_heldId(part)
-        , m_made(std::get<Part>(partOf(built).item))
+        , m_made(std::get<Part>(partEntry(built).item))
         , m_held(*findItem<Part>(scene, part))
     {}
 
@@ -84,7 +78,7 @@ public:
             box.extend(row.position);
         m_pairs.tolerance = box.isEmpty() ? 0.0 : 1e-9 + 1e-7 * box.sizes().norm();
         m_pairs.motion.map = motionOf(m_made.particles, m_held.particles, m_pairs.tolerance);
-        m_pairs.heldAs[partOf(m_built).id] = m_heldId;
+        m_pairs.heldAs[partEntry(m_built).id] = m_heldId;
         pairRows(m_made.particles, m_held.particles);
         pairRows(m_made.links, m_held.links);
         pairRows(m_made.panels, m_held.panels);
@@ -184,6 +178,12 @@ private:
 };
 
 } // namespace
+
+const Entry& partEntry(const Scene& built)
+{
+    return *std::ranges::find_if(
+        built.items, [](const Entry& entry) { return std::holds_alternative<Part>(entry.item); });
+}
 
 Counterparts counterpartsOf(const Scene& scene, Id part, const Scene& built)
 {

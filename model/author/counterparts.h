@@ -20,6 +20,9 @@ struct Counterparts
     std::map<Id, Id> heldAs; // [rows and items of the built scene] those of the open one
 };
 
+// The part of a scene that a builder made.
+const Entry& partEntry(const Scene& built);
+
 // `built` is what the builder makes of the parameters that the part keeps. Tables of rows of
 // another length than were built have no counterparts.
 Counterparts counterpartsOf(const Scene& scene, Id part, const Scene& built);

@@ -1,7 +1,7 @@
 // Builds a part again in these stages:
 // 1. The builder runs twice, with the old and the new parameters; counterparts.h pairs the old
-//    build with what stands in the scene, both are weighed as its materials are by now, and
-//    difference() counts the work of hands.
+//    build with what stands in the scene, both are weighed as its materials are by now, what was
+//    painted goes over to the new build, and handWork() counts what else was done by hand.
 // 2. Rows and items of the new build get ids: those of the scene where there is a counterpart or
 //    the tables are as long, otherwise fresh ones. What the author has removed stays away.
 // 3. Materials are added, the part is replaced at its place, items are merged property by property
@@ -9,6 +9,7 @@
 // 4. References to rows that are gone are let go, and settings follow where nobody has tuned them.
 #include "author/rebuild.h"
 
+#include "author/carry_paint.h"
 #include "author/counterparts.h"
 #include "author/tuned_weights.h"
 #include "select/group.h"
@@ -28,67 +29,7 @@ const Entry* entryOf(const Scene& scene, Id id)
     return nullptr;
 }
 
-const Entry& partEntry(const Scene& scene)
-{
-    return *std::ranges::find_if(
-        scene.items, [](const Entry& entry) { return std::holds_alternative<Part>(entry.item); });
-}
-
 const Part& partOf(const Entry& entry) { return std::get<Part>(entry.item); }
-
-// Masses add up in another order when a material has been exchanged more than once.
-bool isSame(const Property& property, const Value& built, const Value& held)
-{
-    if (!isOneOf<&Particle::mass>(property))
-        return built == held;
-    const double mass = std::get<double>(built);
-    return std::abs(std::get<double>(held) - mass) <= 1e-9 * std::abs(mass);
-}
-
-template <typename Row>
-std::size_t countDifferent(const std::vector<Row>& built, const std::vector<Row>& held,
-                           const std::map<Id, Id>& heldAs)
-{
-    const auto counterpart = [&](Id id) {
-        const auto found = heldAs.find(id);
-        return found == heldAs.end() ? id : found->second;
-    };
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < built.size(); ++i)
-        for (const Property& property : propertiesOf(kindOf(ConstRef(&built[i])))) {
-            if (isOneOf<&Particle::position, &Particle::velocity>(property))
-                continue;
-            Value wanted = property.get(&built[i]);
-            if (Id* id = std::get_if<Id>(&wanted))
-                *id = counterpart(*id);
-            if (isSame(property, wanted, property.get(&held[i])))
-                continue;
-            ++different;
-            break;
-        }
-    return different;
-}
-
-HandmadeParts difference(const Part& built, const Part& held, const Counterparts& counterparts)
-{
-    HandmadeParts work;
-    const auto count = [&](const auto& made, const auto& there) {
-        work.added += there.size() - std::min(made.size(), there.size());
-        work.removed += made.size() - std::min(made.size(), there.size());
-        if (made.size() == there.size())
-            work.changed += countDifferent(made, there, counterparts.heldAs);
-    };
-    count(built.particles, held.particles);
-    count(built.links, held.links);
-    count(built.panels, held.panels);
-    if (built.particles.size() == held.particles.size())
-        for (std::size_t i = 0; i < built.particles.size(); ++i) {
-            const Vec3 place = counterparts.motion.map * built.particles[i].position;
-            if ((held.particles[i].position - place).norm() > counterparts.tolerance)
-                ++work.moved;
-        }
-    return work;
-}
 
 // Makes the edit that leads from what stands in the scene to what the builder makes now.
 class Rebuilding
@@ -108,7 +49,7 @@ public:
     Rebuilt run()
     {
         const Entry& held = *entryOf(m_scene, m_part);
-        m_rebuilt.lost = difference(partOf(partEntry(m_before)), partOf(held), m_counterparts);
+        m_rebuilt.lost = handWork(partOf(partEntry(m_before)), partOf(held), m_counterparts);
         m_rebuilt.edit.label = Message("Change parameters of %1", partOf(held).name);
         nameRows(partOf(held), partOf(partEntry(m_after)));
         m_ids[partEntry(m_after).id] = m_part;
@@ -456,9 +397,12 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
     weighAsTuned(scene, counterparts, *before, *after);
     // last, as the other one needs it as it was
     weighAsTuned(scene, counterparts, *before, *before);
+    const CarriedPaint paint = carryPaint(part, counterparts, *before, *after);
     Rebuilt outcome = Rebuilding(scene, id, *before, *after, std::move(counterparts),
                                  nextId.value_or(scene.nextId))
                           .run();
+    outcome.lost.painted = paint.lost;
+    outcome.painted = paint.kept;
     outcome.built = std::move(*after);
     std::erase_if(now.others, [&](const OtherMaterial& other) {
         const auto wanted = parameters.find(std::string(other.parameter));
@@ -466,17 +410,6 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
     });
     outcome.staying = std::move(now.others);
     return outcome;
-}
-
-HandmadeParts handWork(const Scene& scene, Id id)
-{
-    const Part& part = *findItem<Part>(scene, id);
-    Result<Scene> before = build(*builderOf(part), part.parameters);
-    if (!before)
-        return {};
-    const Counterparts counterparts = counterpartsOf(scene, id, *before);
-    weighAsTuned(scene, counterparts, *before, *before);
-    return difference(partOf(partEntry(*before)), part, counterparts);
 }
 
 Edit detached(const Scene& scene, const std::vector<Id>& parts)

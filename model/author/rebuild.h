@@ -7,11 +7,13 @@
 // and its place, and its particles their ids where there are as many as before, so that what points
 // at them still does.
 //
-// The rows of the part are the builder's alone. What was changed in them by hand goes when the part
+// The rows of the part are the builder's, but for what was painted on them, which goes over to the
+// new ones by its place (carry_paint.h). What else was changed in them by hand goes when the part
 // is built again; `HandmadeParts` counts it, so that one is told before.
 #pragma once
 
 #include "author/chosen_materials.h"
+#include "author/handmade.h"
 #include "builders/builder.h"
 #include "scene/edit.h"
 
@@ -19,21 +21,11 @@
 
 namespace ripstop {
 
-// What tells the rows of a part from those that its builder made. A part that was moved or turned
-// as a whole has none.
-struct HandmadeParts
-{
-    std::size_t moved = 0;   // particles
-    std::size_t changed = 0; // rows with another mass, pin, length, material or end
-    std::size_t added = 0;   // rows more than were built
-    std::size_t removed = 0;
-    bool isNothing() const { return moved + changed + added + removed == 0; }
-};
-
 struct Rebuilt
 {
     Edit edit;
     HandmadeParts lost;
+    std::size_t painted = 0;            // rows that have what was painted at their place
     std::vector<OtherMaterial> staying; // of choices that are as they were
     std::size_t letGo = 0; // groups, probes, controls and links that pointed at what goes
     Scene built;           // as the builder makes it, for its figures
@@ -49,9 +41,6 @@ std::vector<Id> builtParts(const Scene& scene, const std::vector<Id>& selected);
 // scene is. Fails as the builder does.
 Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
                         std::optional<Id> nextId = {});
-
-// What the part would lose if it were built again as it is.
-HandmadeParts handWork(const Scene& scene, Id id);
 
 // The parts keep what they are and forget how they were built. Empty where none has a builder.
 Edit detached(const Scene& scene, const std::vector<Id>& parts);

@@ -123,8 +123,7 @@ void tellHandWork(Differences& list, const TwoScenes& scenes, const Entry& a, co
     const auto count = [](const Scene& scene, const Entry& entry) {
         if (!builderOf(std::get<Part>(entry.item)))
             return 0;
-        const HandmadeParts work = handWork(scene, entry.id);
-        return int(work.moved + work.changed + work.added + work.removed);
+        return int(handWork(scene, entry.id).count());
     };
     const int before = count(scenes.first, a), after = count(scenes.second, b);
     if (before == 0 && after == 0)

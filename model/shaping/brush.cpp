@@ -81,6 +81,12 @@ const Property* paintedProperty(Painted what, Kind kind)
     return nullptr;
 }
 
+bool isPaint(const Property& property)
+{
+    return isOneOf<&Link::strengthFactor, &Link::stiffnessFactor, &Panel::strengthFactor,
+                   &Panel::stiffnessFactor, &Panel::grain>(property);
+}
+
 BrushStroke::BrushStroke(const Scene& scene, const Brush& brush)
     : m_brush(brush)
 {

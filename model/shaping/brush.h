@@ -50,6 +50,7 @@ double fittingRadius(const Scene& scene);
 
 // The property of links or of panels that is painted; null for the grain of links.
 const Property* paintedProperty(Painted what, Kind kind);
+bool isPaint(const Property& property); // whether it is one of these
 
 class BrushStroke
 {
