@@ -312,6 +312,15 @@ private slots:
         QTRY_VERIFY(!list->findItems("Double links", Qt::MatchExactly).isEmpty());
         QCOMPARE(problems.findChild<QListWidget*>()->count(), 0);
         QCOMPARE(problems.warningCount(), 1);
+
+        // beside the warning nothing says that there are no problems
+        const auto labels = problems.findChildren<QLabel*>();
+        const auto none = std::ranges::find(labels, QString("No problems"), &QLabel::text);
+        QVERIFY(none != labels.end());
+        QTRY_VERIFY(!(*none)->isVisible());
+        bench.document.push(removal(bench.document.scene(), {Id{8}}));
+        QTRY_COMPARE(problems.warningCount(), 0);
+        QVERIFY((*none)->isVisible());
     }
 
     void theStartPageOffersEverySampleAndBuilder()

@@ -42,6 +42,7 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     : QWidget(parent)
     , m_selection(selection)
     , m_player(player)
+    , m_side(new QWidget)
     , m_pages(new QStackedLayout)
     , m_empty(new QLabel(tr("No problems")))
     , m_list(new QListWidget)
@@ -58,10 +59,9 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     m_list->setToolTip(tr("Click a problem to select what causes it."));
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_list);
-    auto* left = new QWidget;
-    left->setLayout(m_pages);
+    m_side->setLayout(m_pages);
     auto* beside = new QSplitter;
-    beside->addWidget(left);
+    beside->addWidget(m_side);
     beside->addWidget(m_stability);
     beside->setStretchFactor(0, 1);
     beside->setStretchFactor(1, 2);
@@ -149,6 +149,8 @@ void ProblemList::rebuild()
         item->setData(Qt::AccessibleTextRole,
                       (isError ? tr("Error: %1") : tr("Warning: %1")).arg(item->text()));
     }
+    // "No problems" beside a warning would be two truths
+    m_side->setVisible(!all.empty() || m_stability->poor() == 0);
     m_pages->setCurrentWidget(all.empty() ? static_cast<QWidget*>(m_empty) : m_list);
 
     m_errors = int(std::count_if(all.begin(), all.end(),

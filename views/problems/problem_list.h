@@ -53,6 +53,7 @@ private:
     std::vector<Finding> m_untrue; // that the run is not as true as wanted, at most one
     QElapsedTimer m_sinceUntrue;   // its figures change with each frame
     QTimer m_delay;
+    QWidget* m_side; // with the pages, gone where only the list beside has something to tell
     QStackedLayout* m_pages;
     QLabel* m_empty;
     QListWidget* m_list;

@@ -70,7 +70,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
         item->setToolTip(Told, shownAsIs(item->text(Told)));
         if (!finding.repair)
             continue;
-        auto* button = new QPushButton(translated(finding.repair->label));
+        auto* button = new QPushButton(inMenu(translated(finding.repair->label)));
         button->setToolTip(tr("Repairs it as one step that can be undone."));
         connect(button, &QPushButton::clicked, this, [this, row] { repair(row); });
         auto* place = new QWidget; // a row may be higher than its button
