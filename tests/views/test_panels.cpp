@@ -80,6 +80,28 @@ private slots:
         QTRY_COMPARE(bench.player.frame()->step, std::int64_t(0));
     }
 
+    // The automatic solver has chosen no substeps before its first step, and those of another one
+    // are a number of the author.
+    void substepsAreToldOnceTheyAreKnown()
+    {
+        Bench bench(fallingPair()); // with the automatic solver
+        Recordings recordings(bench.player);
+        Transport transport(bench.document, bench.player, recordings);
+        transport.show();
+        QTRY_VERIFY(bench.isReady());
+        auto* substeps = transport.findChild<QLabel*>("substeps");
+        QVERIFY2(substeps->text().isEmpty(), qPrintable(substeps->text()));
+        buttonNamed(transport, "step")->click();
+        QTRY_COMPARE(substeps->text(), QString("1 substep"));
+        buttonNamed(transport, "reset")->click();
+        bench.document.push(
+            {Message("Sweeps"),
+             {setValue(bench.document.scene(), settingsId, "solver", std::string("averaged_jacobi"))
+                  .changes.front(),
+              setValue(bench.document.scene(), settingsId, "substeps", 3).changes.front()}});
+        QTRY_COMPARE(substeps->text(), QString("3 substeps"));
+    }
+
     // The control of the scene moves 0.1 m each time, 0.25 m at most.
     void controlButtonsNudgeWithinTheLimit()
     {

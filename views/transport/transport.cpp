@@ -216,13 +216,16 @@ void Transport::refreshRatio()
                              : tr("Simulated seconds per second of the clock, lately"));
 }
 
-// The automatic solver's number changes while the scene runs.
+// The automatic solver's number changes while the scene runs, and it has none before its first
+// step.
 void Transport::refreshSubsteps()
 {
     const auto& frame = m_player.frame();
-    m_substeps->setText(frame ? frame->substeps == 1 ? tr("1 substep")
-                                                     : tr("%1 substeps").arg(frame->substeps)
-                              : QString());
+    const bool isOpen = frame && frame->step == 0 && frame->solverChoice.empty()
+                        && m_document.scene().settings.solver == Solver::Auto;
+    m_substeps->setText(!frame || isOpen       ? QString()
+                        : frame->substeps == 1 ? tr("1 substep")
+                                               : tr("%1 substeps").arg(frame->substeps));
     const QString choice = frame ? translated(frame->solverChoice) : QString();
     m_substeps->setToolTip(choice.isEmpty()
                                ? tr("Parts that each time step is cut into")
