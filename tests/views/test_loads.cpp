@@ -114,6 +114,32 @@ private slots:
         QCOMPARE(chosen[0][0].toUInt(), 4U);
     }
 
+    // After a reset one still reads what the run came to, until the next one has begun.
+    void theWorstStaysAfterAReset()
+    {
+        Bench bench(hangingPair(40.0));
+        QTRY_VERIFY(bench.player.frame());
+        bench.player.playUntil(0.1);
+        const QTreeWidget& list = bench.panel.ofRun();
+        const auto title = [&] { return list.headerItem()->text(LoadList::Place); };
+        QTRY_COMPARE(list.topLevelItemCount(), 1);
+        QCOMPARE(title(), QString("Worst of the run"));
+        bench.player.reset();
+        QTRY_COMPARE(title(), QString("Of the last run"));
+        QTRY_COMPARE(list.topLevelItemCount(), 1);
+        QCOMPARE(list.topLevelItem(0)->text(LoadList::Margin), QString("0.123")); // as above
+
+        // a run of half the mass begins: 0.25 kg x 9.80665 m/s^2 / 40 N = 0.0613
+        bench.document.push(setValue(bench.document.scene(), Id{3}, "mass", 0.25));
+        QCOMPARE(title(), QString("Of the last run"));
+        bench.player.playUntil(0.1);
+        QTRY_COMPARE(title(), QString("Worst of the run"));
+        QTRY_COMPARE(list.topLevelItem(0)->text(LoadList::Margin), QString("0.0613"));
+
+        bench.document.replace(hangingPair(40.0));
+        QTRY_VERIFY(bench.panel.said().contains("Nothing bears a load yet"));
+    }
+
     // Places change their ranks while one looks at them; those that tore say so.
     void markGoesWithThePlace()
     {

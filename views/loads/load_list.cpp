@@ -72,6 +72,8 @@ LoadList::LoadList(const QString& title, const QString& name, QWidget* parent)
     connect(this, &QTreeWidget::itemActivated, this, choose);
 }
 
+void LoadList::setTitle(const QString& title) { headerItem()->setText(Place, title); }
+
 void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> places)
 {
     const QList<QTreeWidgetItem*> marked = selectedItems();

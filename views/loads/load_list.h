@@ -22,6 +22,7 @@ public:
     //   name  of the list, for those who hear it
     LoadList(const QString& title, const QString& name, QWidget* parent = nullptr);
 
+    void setTitle(const QString& title);
     void showPlaces(const Scene& scene, std::span<const LoadedPlace> places);
 
 signals:

@@ -55,13 +55,17 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
         if (!m_delay.isActive())
             m_delay.start();
     };
+    connect(&player, &Player::frameReady, this, &LoadPanel::noteWorst);
     connect(&player, &Player::frameReady, this, soon);
     connect(&player, &Player::stateChanged, this, soon);
     const auto edited = [this, soon] {
         m_isEdited = true;
         soon();
     };
-    connect(&document, &Document::replaced, this, edited);
+    connect(&document, &Document::replaced, this, [this, edited] {
+        m_worst = {}; // its places are those of another design
+        edited();
+    });
     connect(&document, &Document::changed, this, edited);
     connect(m_materials, &QPushButton::clicked, this, &LoadPanel::selectUnjudged);
     connect(m_unjudged, &QLabel::linkActivated, this, &LoadPanel::selectUnjudged);
@@ -145,12 +149,27 @@ void LoadPanel::catchUp()
     refresh();
 }
 
-// Of the run that is looked back at, if it is the present one: no recording keeps its own.
-WorstPlaces LoadPanel::worstOfRun() const
+void LoadPanel::noteWorst()
 {
     const Frame* newest = m_player.newest().get();
+    if (!newest || !newest->underWay)
+        return;
+    m_worst = newest->worstOfRun;
+    m_run = newest->run;
+}
+
+// Whether what is seen is the design, and not a run nor a moment of one.
+bool LoadPanel::isBeforeRun() const
+{
     const Frame* shown = m_player.frame().get();
-    return newest && shown && newest->run == shown->run ? newest->worstOfRun : WorstPlaces{};
+    return shown && !shown->underWay && shown->run != m_run && !m_player.isLookingBack();
+}
+
+// Of the newest run, whether it is seen, looked back at or was reset: no recording keeps its own.
+WorstPlaces LoadPanel::worstOfRun() const
+{
+    const Frame* shown = m_player.frame().get();
+    return shown && (shown->run == m_run || isBeforeRun()) ? m_worst : WorstPlaces{};
 }
 
 void LoadPanel::refresh()
@@ -164,6 +183,7 @@ void LoadPanel::refresh()
     if (!isVisible())
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
+    m_ofRun->setTitle(isBeforeRun() ? tr("Of the last run") : tr("Worst of the run"));
     m_ofRun->showPlaces(m_document.scene(), ofRun.all());
     showLaunch(*frame, ofRun);
     if (std::exchange(m_isEdited, false)) {

@@ -4,7 +4,9 @@
 // A click selects a place and asks for it to come to the middle of the view. What carries a load
 // and has no strength is named below the lists, and so is what has one but never tears, with a link
 // that lets it tear; where nothing has a strength, the panel says how to give one. It follows the
-// player a few times a second, and only while it is seen. Belongs to the window's thread.
+// player a few times a second, and only while it is seen. The worst of a run stays after a reset,
+// until the next run has left the design, as that is when one wants to read it. Belongs to the
+// window's thread.
 #pragma once
 
 #include "scene/scene.h"
@@ -48,6 +50,8 @@ private:
     QWidget* emptyPage();
     QWidget* listPage();
     void choose(quint32 element);
+    void noteWorst();
+    bool isBeforeRun() const;
     WorstPlaces worstOfRun() const;
     void refresh();
     void tellWhyNone(const Frame* frame);
@@ -67,10 +71,12 @@ private:
     QPushButton* m_materials;
     LoadList* m_now;
     LoadList* m_ofRun;
-    QLabel* m_unjudged;     // materials without a strength, below the lists
-    QLabel* m_untearable;   // materials that hold beyond theirs, likewise
-    QLabel* m_launch;       // that the worst of the run was the launch
-    bool m_isEdited = true; // since those were found
+    QLabel* m_unjudged;      // materials without a strength, below the lists
+    QLabel* m_untearable;    // materials that hold beyond theirs, likewise
+    QLabel* m_launch;        // that the worst of the run was the launch
+    bool m_isEdited = true;  // since those were found
+    WorstPlaces m_worst;     // of the newest run that left the design, also when it was reset
+    std::uint64_t m_run = 0; // that run
 };
 
 } // namespace ripstop
