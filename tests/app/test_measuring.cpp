@@ -11,6 +11,7 @@
 #include "scene/path.h"
 #include "select/measure.h"
 
+#include <QRegularExpression>
 #include <QStatusBar>
 
 namespace ripstop::test_measuring {
@@ -46,6 +47,49 @@ private slots:
         shop.document.history().undo();
         shop.document.history().undo();
         QVERIFY(!findItem<Probe>(shop.document.scene(), probe));
+    }
+
+    // However many there are, cards are low and leave most of the picture; what is not shown is
+    // counted, so that all of it is told.
+    void manyProbesLeaveThePicture()
+    {
+        Scene scene = Sheet().scene;
+        int wanted = 0;
+        const auto add = [&](Quantity quantity, Id target) {
+            scene.items.push_back(
+                {takeId(scene), Probe{"probe " + std::to_string(++wanted), quantity, target}});
+        };
+        for (int i = 0; i < 11; ++i)
+            add(Quantity::MaxStrain, noId);
+        for (int i = 0; i < 7; ++i)
+            add(Quantity::PositionY, Sheet::at(4, 4));
+        for (int column = 0; column < 8; ++column)
+            for (int row = 3; row < 6; ++row)
+                add(Quantity::PositionX, Sheet::at(row, column));
+        Shop shop(scene);
+        QTRY_VERIFY(shop.player.frame());
+        shop.run("probeValues");
+        auto* labels = shop.viewport.findChild<ProbeLabels*>();
+        QTRY_VERIFY(!labels->shown().empty());
+        const QRegularExpression more("and (\\d+) more in Plots");
+        int told = 0;
+        double covered = 0.0;
+        for (const ProbeLabels::Shown& card : labels->shown()) {
+            if (card.box.isEmpty())
+                continue;
+            covered += double(card.box.width()) * card.box.height();
+            for (const QString& column : card.columns) {
+                const QStringList lines = column.split('\n');
+                QVERIFY(lines.size() <= 4);
+                for (const QString& line : lines) {
+                    const auto counted = more.match(line);
+                    told += counted.hasMatch() ? counted.captured(1).toInt() : 1;
+                }
+            }
+        }
+        QCOMPARE(told, wanted);
+        QVERIFY2(covered < 0.35 * labels->width() * labels->height(),
+                 qPrintable(QString::number(covered / labels->width() / labels->height())));
     }
 
     // Several elements become a group that the probe looks at.

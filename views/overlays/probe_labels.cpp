@@ -1,12 +1,13 @@
 // Edits mark the cards as old; collect() then sorts the probes of the scene by target. show() takes
-// frame and camera of each picture. paintEvent() makes the text of each card from the frame, finds
-// the middle of its target in the picture, and moves the card down while it lies over one that is
-// painted already.
+// frame and camera of each picture. shown() makes the text of each card from the frame, finds the
+// middle of its target in the picture, and moves the card down while it lies over one that is there
+// already, or counts it where that is too far. paintEvent() paints them.
 #include "overlays/probe_labels.h"
 
 #include "base/quantity.h"
 #include "document/document.h"
 #include "document/spoken.h"
+#include "document/words.h"
 #include "look/element_places.h"
 
 #include <QPainter>
@@ -17,10 +18,14 @@
 namespace ripstop {
 namespace {
 
-constexpr int corner = 12; // pixels, from the edge of the view
-constexpr int aside = 10;  // pixels, from what is measured
-constexpr int padding = 6; // pixels
-constexpr int dot = 3;     // pixels
+constexpr int corner = 12;         // pixels, from the edge of the view
+constexpr int aside = 10;          // pixels, from what is measured
+constexpr int padding = 6;         // pixels
+constexpr int dot = 3;             // pixels
+constexpr int besideTools = 48;    // pixels, from the corner
+constexpr int betweenColumns = 14; // pixels
+constexpr qsizetype mostLines = 4; // of a column
+constexpr int farthest = 7;        // lines, that others may drive a card away
 
 Vec3 middleOf(const std::vector<Vec3>& places)
 {
@@ -29,6 +34,9 @@ Vec3 middleOf(const std::vector<Vec3>& places)
         sum += place;
     return sum / double(places.size());
 }
+
+// The dock Plots lists the values of all of them.
+QString moreText(qsizetype count) { return words("and %1 more in Plots").arg(count); }
 
 } // namespace
 
@@ -105,47 +113,111 @@ QStringList ProbeLabels::linesOf(Id target) const
     return lines;
 }
 
-void ProbeLabels::paintEvent(QPaintEvent*)
+ProbeLabels::Shown ProbeLabels::card(QStringList columns) const
 {
+    int width = 0, height = 0;
+    for (const QString& column : columns) {
+        const QSize size = fontMetrics().size(0, column);
+        width += size.width() + (width > 0 ? betweenColumns : 0);
+        height = std::max(height, size.height());
+    }
+    return {QRect(0, 0, width + 2 * padding, height + padding), std::move(columns), {}};
+}
+
+ProbeLabels::Shown ProbeLabels::beside(const QStringList& lines) const
+{
+    if (lines.size() <= mostLines)
+        return card({lines.join('\n')});
+    QStringList few = lines.mid(0, mostLines - 1);
+    few << moreText(lines.size() - few.size());
+    return card({few.join('\n')});
+}
+
+// As many columns as find place.
+ProbeLabels::Shown ProbeLabels::inCorner(const QStringList& lines) const
+{
+    QStringList columns;
+    Shown made = card({});
+    for (qsizetype i = 0; i < lines.size(); i += mostLines) {
+        columns << lines.mid(i, mostLines).join('\n');
+        Shown wider = card(columns);
+        if (i > 0 && wider.box.width() > width() - besideTools - 2 * corner) {
+            columns.back() = moreText(lines.size() - i);
+            made = card(columns);
+            break;
+        }
+        made = std::move(wider);
+    }
+    made.box.moveTopLeft({corner + besideTools, corner});
+    return made;
+}
+
+std::vector<ProbeLabels::Shown> ProbeLabels::shown()
+{
+    std::vector<Shown> cards;
     if (!m_frame)
-        return;
+        return cards;
     if (m_old)
         collect();
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     const CameraProjection projection{m_camera, double(width()), double(height())};
-    const QFontMetrics metrics = painter.fontMetrics();
-    std::vector<QRect> taken;
-    for (const Card& card : m_cards) {
-        const QString text = linesOf(card.target).join('\n');
-        if (text.isEmpty())
+    std::optional<QRect> gone; // where the first card would be that finds no place
+    qsizetype goneLines = 0;
+    for (const Card& one : m_cards) {
+        const QStringList lines = linesOf(one.target);
+        if (lines.isEmpty())
             continue;
-        QRect box = metrics.boundingRect(QRect(0, 0, width(), height()), Qt::AlignLeft, text)
-                        .adjusted(-padding, -padding / 2, padding, padding / 2);
-        if (card.target == noId) {
-            box.moveTopLeft({corner + 48, corner}); // beside the tools
-        } else {
-            const auto places = placesOf(*m_frame, m_document.scene(), {card.target});
+        Shown made = one.target == noId ? inCorner(lines) : beside(lines);
+        if (one.target != noId) {
+            const auto places = placesOf(*m_frame, m_document.scene(), {one.target});
             const auto pixel = places.empty() ? std::nullopt : projection.pixel(middleOf(places));
             if (!pixel || !rect().contains(pixel->toPoint()))
                 continue;
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(m_theme.text);
-            painter.drawEllipse(*pixel, dot, dot);
-            box.moveTopLeft(pixel->toPoint() + QPoint(aside, aside));
-            box.moveRight(std::min(box.right(), width() - corner));
-            box.moveBottom(std::min(box.bottom(), height() - corner));
+            made.target = pixel->toPoint();
+            made.box.moveTopLeft(*made.target + QPoint(aside, aside));
+            made.box.moveRight(std::min(made.box.right(), width() - corner));
+            made.box.moveBottom(std::min(made.box.bottom(), height() - corner));
         }
-        for (const QRect& other : taken) // those further down the list stand below
-            if (box.intersects(other))
-                box.moveTop(other.bottom() + padding / 2);
-        taken.push_back(box);
+        const int wanted = made.box.top();
+        for (const Shown& other : cards) // those further down the list stand below
+            if (made.box.intersects(other.box))
+                made.box.moveTop(other.box.bottom() + padding / 2);
+        if (made.box.top() - wanted > farthest * fontMetrics().lineSpacing()) {
+            gone = gone.value_or(made.box);
+            goneLines += lines.size();
+            made.box = {};
+        }
+        cards.push_back(std::move(made));
+    }
+    if (gone) {
+        Shown rest = card({moreText(goneLines)});
+        rest.box.moveTopLeft(gone->topLeft());
+        cards.push_back(std::move(rest));
+    }
+    return cards;
+}
+
+void ProbeLabels::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const std::vector<Shown> cards = shown();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.text);
+    for (const Shown& one : cards)
+        if (one.target)
+            painter.drawEllipse(*one.target, dot, dot);
+    for (const Shown& one : cards) {
+        if (one.box.isEmpty())
+            continue;
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_theme.card);
-        painter.drawRoundedRect(box, 3.0, 3.0);
+        painter.drawRoundedRect(one.box, 3.0, 3.0);
         painter.setPen(m_theme.text);
-        painter.drawText(box.adjusted(padding, padding / 2, -padding, -padding / 2), Qt::AlignLeft,
-                         text);
+        QRect inside = one.box.adjusted(padding, padding / 2, -padding, -padding / 2);
+        for (const QString& column : one.columns) {
+            painter.drawText(inside, Qt::AlignLeft | Qt::TextDontClip, column);
+            inside.setLeft(inside.left() + fontMetrics().size(0, column).width() + betweenColumns);
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 // What probes read, on cards beside what they look at; off at first.
 //
-// Probes of one target share a card; those of the whole scene have one in the upper left corner.
+// Probes of one target share a card; those of the whole scene have one in the upper left corner,
+// which grows in width. However many there are, they leave the picture to what is measured: a card
+// at a target has few lines, and cards that others have driven too far away are counted in one.
 // Values are those of the frame, in the units of its layout; a value that is not known is a dash.
 // Names are those of the scene.
 // It is a transparent widget over the view that takes no mouse.
@@ -15,6 +17,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ripstop {
@@ -33,8 +36,17 @@ public:
     void show(const std::shared_ptr<const Frame>& frame, const Camera& camera);
     using QWidget::show;
 
-    // For tests: the lines of the card of a target, noId for the whole scene.
+    // The lines of the card of a target, noId for the whole scene, with those that are not shown.
     QStringList linesOf(Id target) const;
+
+    // A card as it is painted, in pixels of the view.
+    struct Shown
+    {
+        QRect box;
+        QStringList columns;          // each of several lines
+        std::optional<QPoint> target; // where a dot is
+    };
+    std::vector<Shown> shown();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -47,6 +59,9 @@ private:
     };
 
     void collect();
+    Shown beside(const QStringList& lines) const;   // a card at a target
+    Shown inCorner(const QStringList& lines) const; // that of the whole scene
+    Shown card(QStringList columns) const;
 
     Document& m_document;
     Theme m_theme = Theme::light();
