@@ -1,21 +1,15 @@
 #include "editor/empty_hint.h"
 
 #include "document/document.h"
+#include "look/scene_frame.h"
 #include "viewport/viewport.h"
 
 #include <QEvent>
 
-#include <algorithm>
-
 namespace ripstop {
 namespace {
 
-constexpr int fromUpperEdge = 24; // px, above the person
-
-bool isSeen(const Entry& entry)
-{
-    return std::holds_alternative<Part>(entry.item) || std::holds_alternative<Collider>(entry.item);
-}
+constexpr int fromUpperEdge = 24; // px
 
 } // namespace
 
@@ -25,7 +19,7 @@ EmptyHint::EmptyHint(Document& document, Viewport& viewport)
     , m_viewport(viewport)
 {
     setObjectName(QStringLiteral("emptyHint"));
-    setText(tr("This scene is empty. Its squares are 1 m wide, the person is 1.75 m tall.\n\n"
+    setText(tr("This scene is empty: it has no ground either.\n\n"
                "Insert brings in a whole kite, glider, parachute or cloth.\n"
                "File, Import makes fabric of a mesh (Ctrl+Shift+I).\n"
                "Draw, Links draws one particle after the other (D)."));
@@ -39,7 +33,7 @@ EmptyHint::EmptyHint(Document& document, Viewport& viewport)
 
 void EmptyHint::refresh()
 {
-    setVisible(std::ranges::none_of(m_document.scene().items, isSeen));
+    setVisible(hasNothing(m_document.scene()));
     adjustSize();
     move((m_viewport.width() - width()) / 2, fromUpperEdge);
 }

@@ -66,7 +66,7 @@ std::optional<Id> levelPlane(const Scene& scene)
             && plane->normal.normalized().y() > 1.0 - levelWithin)
             return entry.id;
     }
-    return hasNothing(scene) ? std::optional(noId) : std::nullopt;
+    return std::nullopt;
 }
 
 GroundStep groundStep(double height)

@@ -29,8 +29,7 @@ class vtkUniforms;
 
 namespace ripstop {
 
-// The plane that the ground of the picture is: the first level one that is shown, or that of a
-// scene which has nothing yet. noId stands for the latter.
+// The plane that the ground of the picture is: the first level one that is shown.
 std::optional<Id> levelPlane(const Scene& scene);
 
 // Squares of the ground for an eye at this height over it, m.

@@ -108,9 +108,9 @@ Vec3 meanOf(const Frame& frame, const std::vector<int>& particles)
     return sum / double(std::max<std::size_t>(particles.size(), 1));
 }
 
-// Someone whose hands are where `hold` and `other` are, or who has nothing to hold.
-std::vector<Limb> standing(const Vec3& shoulder, double ground, const Vec3& ahead, const Vec3* hold,
-                           const Vec3* other)
+// Someone whose right hand is where `hold` is, and the left one where `other` is.
+std::vector<Limb> standing(const Vec3& shoulder, double ground, const Vec3& ahead, const Vec3& hold,
+                           const Vec3& other)
 {
     Body body(Vec3::UnitY(), ahead);
     const double sunk = ground + shoulders - shoulder.y(); // how far the knees let them down
@@ -118,15 +118,11 @@ std::vector<Limb> standing(const Vec3& shoulder, double ground, const Vec3& ahea
     const Vec3 pelvis = feet + std::max(hips - sunk, lowestHips) * body.up + 0.03 * body.ahead;
     body.addTrunk(shoulder, pelvis, body.up);
     for (const double side : {1.0, -1.0}) {
-        const Vec3 foot = feet + ankle * body.up + side * 0.10 * body.right
-                          + (hold ? side * 0.14 : 0.02) * body.ahead;
+        const Vec3 foot =
+            feet + ankle * body.up + side * 0.10 * body.right + side * 0.14 * body.ahead;
         body.addLeg(pelvis + side * halfHips * body.right, foot, body.ahead, body.ahead);
         const Vec3 joint = shoulder + side * halfShoulders * body.right;
-        const Vec3* const hand = side > 0.0 ? hold : other;
-        body.addArm(joint,
-                    hand ? *hand
-                         : joint - 0.93 * (upperArm + forearm) * body.up + side * 0.09 * body.right
-                               + 0.05 * body.ahead,
+        body.addArm(joint, side > 0.0 ? hold : other,
                     side * 0.5 * body.right - body.up - 0.3 * body.ahead);
     }
     return body.limbs;
@@ -157,13 +153,13 @@ std::vector<Limb> holding(const Person& person, const Frame& frame,
         Vec3(hold.x(), ground + height, hold.z()) - behind * ahead - (two ? 0.0 : 0.09) * right;
     if (!two) {
         const Vec3 other = hold - 0.10 * ahead - 0.06 * right - Vec3(0.0, 0.10, 0.0);
-        return standing(shoulder, ground, ahead, &hold, &other);
+        return standing(shoulder, ground, ahead, hold, other);
     }
     Vec3 rightHand = frame.position[std::size_t(person.holds[0])];
     Vec3 leftHand = frame.position[std::size_t(person.holds[1])];
     if (rightHand.dot(right) < leftHand.dot(right))
         std::swap(rightHand, leftHand);
-    return standing(shoulder, ground, ahead, &rightHand, &leftHand);
+    return standing(shoulder, ground, ahead, rightHand, leftHand);
 }
 
 // The way that what carries someone goes, from its marks in this frame.
@@ -258,10 +254,6 @@ std::vector<Limb> upright(const Person& person, const Frame& frame)
 std::vector<Limb> limbsOf(const Person& person, const Frame& frame,
                           const std::vector<ColliderBody>& colliders)
 {
-    if (person.holds.empty()) { // the first view looks at their face, half from a side
-        const Vec3 ahead(0.2, 0.0, 1.0);
-        return standing(shoulders * Vec3::UnitY(), 0.0, ahead, nullptr, nullptr);
-    }
     if (!isPlace(frame, person.holds) || !isPlace(frame, person.towards)
         || !isPlace(frame, person.marks) || !isPlace(frame, person.bar))
         return {};

@@ -212,18 +212,8 @@ void addJumpers(const Ends& ends, std::vector<Person>& people, const std::set<Id
 
 } // namespace
 
-bool hasNothing(const Scene& scene)
-{
-    return std::ranges::none_of(scene.items, [](const Entry& entry) {
-        return std::holds_alternative<Part>(entry.item)
-               || std::holds_alternative<Collider>(entry.item);
-    });
-}
-
 std::vector<Person> peopleOf(const Scene& scene, const Layout& layout)
 {
-    if (hasNothing(scene))
-        return {Person{}};
     const Ends ends(scene, layout);
     std::vector<Person> people;
     std::set<Id> taken;

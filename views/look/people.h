@@ -1,8 +1,7 @@
 // Who stands, flies and hangs in a scene, as its design says, so that sizes can be compared.
 //
-// Someone stands
-// - where a control moves pinned particles at which nothing but lines ends: the hand of a kite;
-// - in a scene that has nothing yet.
+// Someone stands where a control moves pinned particles at which nothing but lines ends: the hand of
+// a kite.
 // Someone hangs
 // - prone, where controls shift a weight below fabric: the pilot of a glider;
 // - upright, where three lines or more carry a weight, as heavy as a person or a child, below
@@ -31,9 +30,6 @@ struct Person
     // Particle at which the wires below a wing meet, the foot of its control frame; or nothing.
     std::vector<int> bar;
 };
-
-// Whether a scene has no part and no collider.
-bool hasNothing(const Scene& scene);
 
 std::vector<Person> peopleOf(const Scene& scene, const Layout& layout);
 

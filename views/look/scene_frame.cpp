@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace ripstop {
@@ -75,6 +76,14 @@ std::shared_ptr<const Frame> sceneFrame(const Scene& scene)
         box.extend(place);
     frame->wind = meanWindAt(scene, box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center()));
     return frame;
+}
+
+bool hasNothing(const Scene& scene)
+{
+    return std::ranges::none_of(scene.items, [](const Entry& entry) {
+        return std::holds_alternative<Part>(entry.item)
+               || std::holds_alternative<Collider>(entry.item);
+    });
 }
 
 } // namespace ripstop

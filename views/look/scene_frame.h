@@ -17,4 +17,7 @@ namespace ripstop {
 // out. Time, step and run are 0; the wind is the mean wind at the middle of the design, m/s.
 std::shared_ptr<const Frame> sceneFrame(const Scene& scene);
 
+// Whether a scene has no part and no collider, so that there is nothing to be seen.
+bool hasNothing(const Scene& scene);
+
 } // namespace ripstop

@@ -150,8 +150,7 @@ void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
     std::vector<Vec3> points = wholeScene ? stage.shownPoints() : stage.subjectPoints();
-    if (points.empty()
-        || hasNothing(document.scene())) // a room around the person that stands there
+    if (points.empty()) // a room to draw in
         points = {Vec3(-room, 0.0, -room), Vec3(room, 0.0, room), Vec3(0.0, 1.5 * room, 0.0)};
     points.insert(points.end(), ghostPoints.begin(), ghostPoints.end());
     camera.fit(points, aspect(), overlayMargins());
