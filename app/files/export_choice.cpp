@@ -90,6 +90,17 @@ QString controlsInWords(const Frame* frame)
         .arg(frame->hands.size());
 }
 
+QString filmInWords(const FilmFormat& format, std::size_t frames, QSize picture)
+{
+    const QSize size = filmSize(format, picture);
+    const QString text =
+        tr("%1 frames of %2 × %3 pixels.").arg(frames).arg(size.width()).arg(size.height());
+    return size == picture ? text
+                           : text + ' '
+                                 + tr("Films of this kind have an even number of pixels in each "
+                                      "direction: the last column or row is left out.");
+}
+
 QString contentInWords(const ExportChoice& choice, const ExportRange& range, const Scene& scene,
                        const Frame* now, QSize picture)
 {
@@ -102,10 +113,7 @@ QString contentInWords(const ExportChoice& choice, const ExportRange& range, con
         return *table == RunTable::Tears ? tearsInWords(now, scene) : controlsInWords(now);
     const std::size_t frames = frameCount(range);
     if (choice.film())
-        return choice.film()->codec ? tr("%1 frames of %2 × %3 pixels.")
-                                          .arg(frames)
-                                          .arg(picture.width())
-                                          .arg(picture.height())
+        return choice.film()->codec ? filmInWords(*choice.film(), frames, picture)
                                     : tr("%1 frames of %2 × %3 pixels, about %4.")
                                           .arg(frames)
                                           .arg(picture.width())

@@ -93,7 +93,8 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
     , m_overlays(new QCheckBox(tr("&Legend and compass")))
     , m_time(new QCheckBox(tr("T&ime")))
     , m_probes(new QCheckBox(tr("&Probes that are plotted")))
-    , m_shown(inOneRow({m_time, m_probes, m_overlays}))
+    , m_pins(new QCheckBox(tr("Pi&ns")))
+    , m_shown(inOneRow({m_time, m_probes, m_overlays, m_pins}))
     , m_transparent(new QCheckBox(tr("Transparent &background")))
     , m_note(new QLabel)
     , m_message(new QLabel)
@@ -144,15 +145,16 @@ void ExportDialog::layOut()
         tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
     m_again->setChecked(true);
     const std::pair<QWidget*, const char*> names[]{
-        {m_source, "source"},  {m_from, "from"},
-        {m_to, "to"},          {m_fps, "rate"},
-        {m_speed, "speed"},    {m_width, "width"},
-        {m_height, "height"},  {m_transparent, "transparent"},
-        {m_message, "message"}};
+        {m_source, "source"},   {m_from, "from"},
+        {m_to, "to"},           {m_fps, "rate"},
+        {m_speed, "speed"},     {m_width, "width"},
+        {m_height, "height"},   {m_transparent, "transparent"},
+        {m_message, "message"}, {m_pins, "pins"}};
     for (const auto& [field, name] : names)
         field->setObjectName(name);
     m_overlays->setChecked(true);
     m_time->setChecked(true);
+    m_pins->setToolTip(tr("The marks of particles that are held in place."));
 
     auto* browse = new QToolButton;
     browse->setText(tr("…"));
@@ -240,6 +242,8 @@ ExportDialog::Job ExportDialog::job() const
              .overlays = m_overlays->isChecked(),
              .time = m_time->isChecked(),
              .probes = m_probes->isChecked(),
+             // the picture of a bundle is the view as it is
+             .pins = m_pins->isChecked() || !choice().film(),
              .transparent = m_transparent->isChecked(),
              .inPercent = sharesOf(m_scene)}};
 }

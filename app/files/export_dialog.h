@@ -130,7 +130,8 @@ private:
     QCheckBox* m_overlays;
     QCheckBox* m_time;
     QCheckBox* m_probes;
-    QWidget* m_shown; // the row of the three boxes above
+    QCheckBox* m_pins;
+    QWidget* m_shown; // the row of the four boxes above
     QCheckBox* m_transparent;
     QLabel* m_note;
     QLabel* m_message;

@@ -213,7 +213,8 @@ void Files::exportAs(const QString& ending, const Recordings& recordings)
         m_viewport.show(frame);
         return m_viewport.image(Viewport::Shot{
             look.size, look.overlays ? Viewport::Overlays::With : Viewport::Overlays::Without,
-            look.transparent ? Backdrop::Transparent : Backdrop::Scenery});
+            look.transparent ? Backdrop::Transparent : Backdrop::Scenery,
+            look.pins ? Viewport::Pins::With : Viewport::Pins::Without});
     };
     ExportDialog::Matter matter{m_document.scene(), m_player.frame()};
     if (const auto& recording = recordings.current(); recording && recording->frameCount() > 0) {

@@ -174,6 +174,13 @@ private:
 
 std::span<const FilmFormat> filmFormats() { return formats; }
 
+QSize filmSize(const FilmFormat& format, QSize pictures)
+{
+    if (format.filter != even)
+        return pictures;
+    return {pictures.width() / 2 * 2, pictures.height() / 2 * 2};
+}
+
 const FilmFormat* filmFormatOf(const QString& target)
 {
     const QString extension = QFileInfo(target).suffix().toLower();

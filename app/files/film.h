@@ -32,6 +32,10 @@ struct FilmFormat
 
 std::span<const FilmFormat> filmFormats();
 
+// Pixels of the film that is made of pictures of this size: most codecs need even numbers, so that
+// a row or a column at the edge is left out.
+QSize filmSize(const FilmFormat& format, QSize pictures);
+
 const FilmFormat* filmFormatOf(const QString& target); // null for none
 
 // A sentence when a film cannot be made here, because ffmpeg is missing; or nothing.

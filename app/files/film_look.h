@@ -23,6 +23,7 @@ struct FilmLook
     bool overlays = true; // legend and compass
     bool time = true;
     bool probes = false; // those probes that are plotted
+    bool pins = false;   // the marks of fixed particles, which are for who edits
     bool transparent = false;
     std::vector<std::uint32_t> inPercent = {}; // ids of probes, see sharesOf()
 };

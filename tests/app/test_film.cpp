@@ -26,6 +26,7 @@ namespace {
 struct FilmShop : WindowShop
 {
     QTemporaryDir folder;
+    FilmLook drawn; // of the last picture
     std::unique_ptr<ExportDialog> dialog;
 
     FilmShop()
@@ -37,6 +38,7 @@ struct FilmShop : WindowShop
             QTest::qWait(10);
         const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
             viewport.show(frame);
+            drawn = look;
             return viewport.image(
                 Viewport::Shot{look.size, Viewport::Overlays::With,
                                look.transparent ? Backdrop::Transparent : Backdrop::Scenery});
@@ -133,6 +135,82 @@ private slots:
         look.inPercent = sharesOf(scene);
         QCOMPARE(captionOf(frame, look),
                  (QStringList{"max strain  0.21\u00a0%", "pull  0.5\u00a0N"}));
+    }
+
+    // Letters are a share of the height of the picture, so that films of all sizes look alike.
+    void captionGrowsWithThePicture()
+    {
+        Frame frame;
+        frame.layout = std::make_shared<Layout>();
+        const auto heightOfLetters = [&](int height) { // pixels
+            QImage picture(height, height, QImage::Format_RGB32);
+            picture.fill(QColor(120, 120, 120));
+            paintCaption(picture, frame, {.time = true});
+            int top = height, bottom = 0;
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < height; ++x)
+                    if (qGray(picture.pixel(x, y)) < 80) {
+                        top = std::min(top, y);
+                        bottom = y;
+                    }
+            return bottom - top + 1;
+        };
+        const int letters = heightOfLetters(720);
+        QVERIFY(letters > 8);
+        // the edges of letters lie on whole pixels: each height is one off at most
+        QVERIFY(std::abs(heightOfLetters(1440) - 2 * letters) <= 2 + 1);
+        QVERIFY(std::abs(heightOfLetters(2160) - 3 * letters) <= 3 + 1);
+    }
+
+    // Marks of fixed particles are for who edits; a film has them when they are asked for.
+    void pinsAreAChoice()
+    {
+        FilmShop shop;
+        shop.choose("Pictures, PNG");
+        shop.makeItSmall();
+        auto* pins = shop.dialog->findChild<QCheckBox*>("pins");
+        QVERIFY(pins->isVisible() && !pins->isChecked());
+        shop.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.dialog->result() == QDialog::Accepted, 60000);
+        QVERIFY(!shop.drawn.pins);
+        FilmShop other;
+        other.choose("Pictures, PNG");
+        other.makeItSmall();
+        other.dialog->findChild<QCheckBox*>("pins")->setChecked(true);
+        other.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY_WITH_TIMEOUT(other.dialog->result() == QDialog::Accepted, 60000);
+        QVERIFY(other.drawn.pins);
+    }
+
+    // The codecs of MP4 and WebM take even sizes only, which the dialog says before.
+    void oddSizesAreCutAndTold_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QByteArray>("size");
+        QTest::newRow("MP4") << "Film, MP4"
+                             << "kite.mp4" << QByteArray("320,240");
+        QTest::newRow("GIF") << "Moving picture, GIF"
+                             << "kite.gif" << QByteArray("321,241");
+    }
+
+    void oddSizesAreCutAndTold()
+    {
+        QFETCH(QString, format);
+        QFETCH(QString, file);
+        QFETCH(QByteArray, size);
+        FilmShop shop;
+        shop.choose(format);
+        shop.makeItSmall();
+        auto* message = shop.dialog->findChild<QLabel*>("message");
+        QVERIFY(!message->text().contains("even number"));
+        shop.set<QSpinBox>("width", 321);
+        shop.set<QSpinBox>("height", 241);
+        QCOMPARE(message->text().contains("even number"), size == "320,240");
+        QVERIFY(message->text().contains(QString::fromUtf8(size).replace(",", " × ")));
+        shop.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.dialog->result() == QDialog::Accepted, 60000);
+        QCOMPARE(probed(shop.folder.filePath(file), "width,height"), size);
     }
 
     void films_data()

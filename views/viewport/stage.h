@@ -64,6 +64,7 @@ public:
     void setStreaksShown(bool shown);    // that drift with the wind; on at first
     void setMotionReduced(bool reduced); // without them, whatever was chosen
     void setVectors(Vectors vectors);
+    void setPinsShown(bool shown) { m_pins.setShown(shown); }
     void setGrainShown(bool shown);
     void setMeshShown(bool shown); // links that stand for fabric; off at first
 

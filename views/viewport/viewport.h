@@ -100,11 +100,13 @@ public:
 
     // The view in another size, in pixels; of what lies over it only legend and compass, as large
     // as they are in the view.
+    enum class Pins { With, Without }; // the marks of fixed particles
     struct Shot
     {
         QSize size;
         Overlays overlays = Overlays::With;
         Backdrop backdrop = Backdrop::Scenery;
+        Pins pins = Pins::With;
     };
     QImage image(const Shot& shot);
     void paintOverlays(QPainter& painter, QSize picture); // those of such a shot
