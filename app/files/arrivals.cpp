@@ -7,6 +7,7 @@
 #include "document/selection.h"
 #include "files/files.h"
 #include "import/import_dialog.h"
+#include "look/subject.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 
@@ -15,25 +16,7 @@
 
 #include <utility>
 
-#include <algorithm>
-
 namespace ripstop {
-namespace {
-
-// What is looked at of parts: their panels, since a kite is a dot at the end of its line; the parts
-// themselves where none has panels.
-std::vector<Id> fabricOf(const Scene& scene, const std::vector<Id>& bodies)
-{
-    std::vector<Id> panels;
-    for (const Id body : bodies)
-        if (const Part* part = findItem<Part>(scene, body))
-            for (const Panel& panel : part->panels)
-                panels.push_back(panel.id);
-    std::ranges::sort(panels);
-    return panels.empty() ? bodies : panels;
-}
-
-} // namespace
 
 Arrivals::Arrivals(Document& document, Selection& selection, Viewport& viewport, Files& files,
                    std::function<bool()> isOpen, QWidget& window)
@@ -68,15 +51,15 @@ void Arrivals::insert(const QString& builder)
     BuilderDialog dialog(builder, {m_document, m_selection, m_viewport.camera().focus}, &m_window);
     connect(&dialog, &BuilderDialog::shown, &m_viewport,
             [this, &dialog](const std::vector<Id>& bodies) {
-                m_viewport.fit(fabricOf(m_document.scene(), bodies), dialog.frameGeometry());
+                m_viewport.fit(subjectOf(m_document.scene(), bodies), dialog.frameGeometry());
             });
     const Camera before = m_viewport.camera();
     if (dialog.exec() == QDialog::Rejected)
         m_viewport.look(before); // the preview took it elsewhere
     else
         m_viewport.fit(
-            fabricOf(m_document.scene(),
-                     m_selection.ids())); // with all of the view, now that the dialog is gone
+            subjectOf(m_document.scene(),
+                      m_selection.ids())); // with all of the view, now that the dialog is gone
 }
 
 void Arrivals::importMesh(const QString& file)

@@ -9,7 +9,19 @@ namespace {
 
 constexpr double tall = 1.0 / 3.0;   // of the height of the view
 constexpr double narrow = 1.0 / 3.0; // of its width; what is wider cannot be spared
-constexpr double most = 0.3;         // of the width that one side may take
+constexpr double most = 0.3;         // of the width or height that one side may take
+
+bool isAtSide(const QWidget& child, const QWidget& view)
+{
+    return child.height() >= tall * view.height() && child.width() <= narrow * view.width()
+           && child.y() <= tall * view.height();
+}
+
+bool isBar(const QWidget& child, const QWidget& view)
+{
+    return child.y() >= (1.0 - tall) * view.height() && child.width() > narrow * view.width()
+           && child.width() > 2 * child.height();
+}
 
 } // namespace
 
@@ -18,10 +30,13 @@ OverlayMargins overlayMarginsOf(const QWidget& view)
     OverlayMargins margins;
     for (const QObject* object : view.children()) {
         const auto* child = qobject_cast<const QWidget*>(object);
-        if (!child || child->isHidden() || child->height() < tall * view.height()
-            || child->width() > narrow * view.width() || child->y() > tall * view.height())
+        if (!child || child->isHidden())
             continue;
         const QRect place = child->geometry();
+        if (isBar(*child, view))
+            margins.bottom = std::max(margins.bottom, 1.0 - double(place.top()) / view.height());
+        if (!isAtSide(*child, view))
+            continue;
         if (place.center().x() < view.width() / 2)
             margins.left = std::max(margins.left, double(place.right()) / view.width());
         else
@@ -29,6 +44,7 @@ OverlayMargins overlayMarginsOf(const QWidget& view)
     }
     margins.left = std::min(margins.left, most);
     margins.right = std::min(margins.right, most);
+    margins.bottom = std::min(margins.bottom, most);
     return margins;
 }
 

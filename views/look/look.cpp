@@ -12,6 +12,7 @@
 #include "derived/fabric_picture.h"
 #include "derived/flat_panel.h"
 #include "derived/tear_bounds.h"
+#include "look/subject.h"
 #include "select/elements.h"
 
 #include <map>
@@ -105,12 +106,14 @@ double massOf(const Part& part)
     return sum;
 }
 
-void lookAtParticles(Directory& directory, const Layout& layout, Look& look)
+void lookAtParticles(const Scene& scene, Directory& directory, const Layout& layout, Look& look)
 {
     const std::size_t count = layout.particleId.size();
     look.particleShown.assign(count, 0);
     look.isWeight.assign(count, 0);
+    look.isBridle.assign(count, 0);
     std::map<const Part*, double> partMass;
+    std::map<const Part*, std::vector<Id>> bridles;
     for (std::size_t i = 0; i < count; ++i) {
         const Directory::Row* row = directory.find(layout.particleId[i]);
         if (!row || row->index >= row->part->particles.size())
@@ -118,8 +121,11 @@ void lookAtParticles(Directory& directory, const Layout& layout, Look& look)
         const Particle& particle = row->part->particles[row->index];
         look.particleShown[i] = row->part->shown;
         const auto [mass, isNew] = partMass.try_emplace(row->part, 0.0);
-        if (isNew)
+        if (isNew) {
             mass->second = massOf(*row->part);
+            bridles[row->part] = bridlePoints(scene, *row->part);
+        }
+        look.isBridle[i] = std::ranges::binary_search(bridles.at(row->part), particle.id);
         look.isWeight[i] = !particle.pinned && particle.mass >= heavyShare * mass->second
                            && row->part->particles.size() > 1;
     }
@@ -250,7 +256,7 @@ Look lookOf(const Scene& scene, const Layout& layout)
     Directory directory(scene);
     const auto paints = paintsOf(scene);
     Look look;
-    lookAtParticles(directory, layout, look);
+    lookAtParticles(scene, directory, layout, look);
 
     look.linkShown.assign(layout.links.size(), 0);
     look.linkColor.assign(layout.links.size(), unknownColor);

@@ -51,6 +51,7 @@ struct Look
 
     std::vector<std::uint8_t> particleShown;  // [particles]
     std::vector<std::uint8_t> isWeight;       // [particles] free, and heavy for its part
+    std::vector<std::uint8_t> isBridle;       // [particles] where lines meet (look/subject.h)
     std::vector<std::uint8_t> linkShown;      // [links]
     std::vector<Color> linkColor;             // [links]
     std::vector<Form> linkForm;               // [links]

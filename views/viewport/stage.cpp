@@ -281,7 +281,7 @@ std::vector<Vec3> Stage::subjectPoints() const
     if (points.empty())
         return shownPoints();
     for (std::size_t i = 0; i < m_look.isWeight.size(); ++i)
-        if (m_look.isWeight[i] && m_look.particleShown[i])
+        if ((m_look.isWeight[i] || m_look.isBridle[i]) && m_look.particleShown[i])
             add(int(i));
     for (std::size_t i = 0; i < m_limbs.size(); ++i)
         if (m_people[i].pose != Pose::Standing)

@@ -76,8 +76,8 @@ public:
 
     // What follows is as of the last prepare().
     const std::shared_ptr<const Frame>& frame() const { return m_frame; }
-    // Places that a designer looks at first, m: the fabric and what it carries, or everything when
-    // there is no fabric.
+    // Places that a designer looks at first, m: the fabric with its bridle and what it carries, or
+    // everything when there is no fabric.
     std::vector<Vec3> subjectPoints() const;
     std::vector<Vec3> pointsOf(const Scene& scene, const std::vector<Id>& ids) const;
     const Look& look() const { return m_look; }

@@ -1,0 +1,145 @@
+// What the camera fits, and into which part of the picture: beside tools and bars, the first look
+// at a design with its bridle, and the design of every builder as a whole.
+#include "views/bare_view.h"
+#include "views/run_with_widgets.h"
+
+#include "builders/builder.h"
+#include "camera/camera_projection.h"
+#include "camera/overlay_margins.h"
+#include "look/subject.h"
+
+#include <Eigen/Geometry>
+#include <QtTest>
+
+#include <cmath>
+
+namespace ripstop::test_fitting {
+
+namespace {
+
+struct View : BareView
+{
+    explicit View(Scene scene)
+        : BareView(std::move(scene), {400, 300})
+    {
+        viewport.view(PresetView::Front);
+    }
+};
+
+} // namespace
+
+class TestFitting : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // What tools and a legend cover stays free of what is fitted, in both kinds of picture.
+    void fittingSparesWhatIsCovered()
+    {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 200; ++i)
+            points.emplace_back(3.0 * std::sin(1.7 * i), 1.0 * std::cos(2.9 * i),
+                                2.0 * std::sin(0.3 * i));
+        constexpr double aspect = 1.4;
+        const OverlayMargins covered{.left = 0.1, .right = 0.2, .top = 0.05, .bottom = 0.15};
+        for (const bool orthographic : {false, true}) {
+            Camera camera;
+            camera.look(PresetView::Iso);
+            camera.orthographic = orthographic;
+            camera.fit(points, aspect, covered);
+            double left = 2.0, right = -2.0, top = -2.0, bottom = 2.0;
+            const Eigen::Matrix4d projection = camera.projection(aspect);
+            for (const Vec3& point : points) {
+                const Eigen::Vector4d p = projection * point.homogeneous();
+                left = std::min(left, p.x() / p.w());
+                right = std::max(right, p.x() / p.w());
+                bottom = std::min(bottom, p.y() / p.w());
+                top = std::max(top, p.y() / p.w());
+            }
+            QVERIFY(left >= -0.8 && right <= 0.6 && top <= 0.9 && bottom >= -0.7);
+            const bool isWide = right - left > 0.85 * 1.4 && right - left <= 1.4;
+            const bool isHigh = top - bottom > 0.85 * 1.6 && top - bottom <= 1.6;
+            QVERIFY(isWide || isHigh); // as large as it can be, but for the margin
+        }
+    }
+
+    // Tools at the side and bars below cover something; a label across the middle, a compass in the
+    // corner and what is hidden do not.
+    void marginsAreThoseOfToolsAndBars()
+    {
+        QWidget view;
+        view.resize(800, 600);
+        const auto child = [&](const QRect& place) {
+            auto* made = new QWidget(&view);
+            made->setGeometry(place);
+            made->show();
+            return made;
+        };
+        child({0, 10, 40, 400});
+        child({10, 500, 90, 90});
+        child({200, 250, 400, 40});
+        QCOMPARE(overlayMarginsOf(view).bottom, 0.0);
+        QWidget* const bar = child({100, 480, 600, 110});
+        const OverlayMargins margins = overlayMarginsOf(view);
+        QVERIFY(std::abs(margins.left - 40.0 / 800.0) < 0.002);
+        QCOMPARE(margins.right, 0.0);
+        QCOMPARE(margins.top, 0.0);
+        QVERIFY(std::abs(margins.bottom - 120.0 / 600.0) < 1e-9);
+        bar->hide();
+        QCOMPARE(overlayMarginsOf(view).bottom, 0.0);
+    }
+
+    // The first look is at the sail with its bridle, of which the tow point is where three lines or
+    // more meet; the hand at the end of the line is too far away for that.
+    void theFirstLookHasTheBridle_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("four legs") << "rectangular_kite";
+        QTest::newRow("two legs") << "diamond_kite";
+    }
+
+    void theFirstLookHasTheBridle()
+    {
+        QFETCH(QString, name);
+        const Scene scene = *build(*findBuilder(name.toStdString()), {});
+        const Part* part = nullptr;
+        forEachPart(scene, [&](Id, const Part& one) { part = &one; });
+        const std::vector<Id> points = bridlePoints(scene, *part);
+        QCOMPARE(points.size(), std::size_t(1));
+        View view(scene);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        view.viewport.view(PresetView::Top); // the picture has no more than it needs
+        view.viewport.view(PresetView::Front);
+        const Camera& camera = view.viewport.camera();
+        const CameraProjection project(camera, view.viewport.width(), view.viewport.height());
+        const auto isSeen = [&](const Vec3& place) {
+            const auto pixel = project.pixel(place);
+            return pixel && QRectF(view.viewport.rect()).contains(*pixel);
+        };
+        QVERIFY(isSeen(findRow(part->particles, points.front())->position));
+        const auto hand = std::ranges::find_if(part->particles, &Particle::pinned);
+        QVERIFY(!isSeen(hand->position));
+    }
+
+    void everyBuilderFitsThePicture()
+    {
+        for (const Builder& builder : allBuilders()) {
+            View view(*build(builder, {}));
+            QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+            QTRY_VERIFY(view.player.frame());
+            view.viewport.fit();
+            const Eigen::Matrix4d projection = view.viewport.camera().projection(4.0 / 3.0);
+            for (const Vec3& place : view.player.frame()->position) {
+                const Eigen::Vector4d seen = projection * place.homogeneous();
+                QVERIFY2(std::abs(seen.x()) <= seen.w() && std::abs(seen.y()) <= seen.w(),
+                         builder.name.data());
+            }
+        }
+    }
+};
+
+const RegisteredTest registered("test_fitting", runWithView<TestFitting>);
+
+} // namespace ripstop::test_fitting
+#include "test_fitting.moc"
