@@ -1,7 +1,9 @@
 #include "dialogs/work_dialog.h"
 
 #include "document/plain_text.h"
+#include "document/time_left.h"
 
+#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QProgressDialog>
 #include <QTimer>
@@ -12,9 +14,10 @@
 namespace ripstop {
 namespace {
 
-constexpr int showDelay = 400; // ms, before the bar shows
-constexpr int lookEvery = 30;  // ms
-constexpr int full = 1000;     // of the bar
+constexpr int showDelay = 400;  // ms, before the bar shows
+constexpr int lookEvery = 30;   // ms
+constexpr int full = 1000;      // of the bar
+constexpr int tellEvery = 1000; // ms, how long it goes on
 
 } // namespace
 
@@ -32,7 +35,14 @@ void workWithProgress(QWidget* parent, const QString& title,
         done = true;
     });
 
-    QProgressDialog bar(shownAsIs(title), QObject::tr("Cancel"), 0, full, parent);
+    QElapsedTimer since, told;
+    since.start();
+    // two lines from the beginning, so that the bar does not jump when there is a second one
+    const auto label = [&](const QString& left) {
+        return QStringLiteral("<qt>%1<br>%2</qt>")
+            .arg(asHtml(title), left.isEmpty() ? QStringLiteral("&nbsp;") : asHtml(left));
+    };
+    QProgressDialog bar(label({}), QObject::tr("Cancel"), 0, full, parent);
     bar.setWindowModality(Qt::WindowModal);
     bar.setMinimumDuration(showDelay);
     bar.setAutoClose(false);
@@ -42,6 +52,11 @@ void workWithProgress(QWidget* parent, const QString& title,
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &bar, [&] {
         bar.setValue(int(share * (full - 1)));
+        if (!told.isValid() || told.hasExpired(tellEvery)) {
+            bar.setLabelText(
+                label(timeLeftText(secondsLeft(1e-3 * double(since.elapsed()), share))));
+            told.start();
+        }
         if (done)
             loop.quit();
     });

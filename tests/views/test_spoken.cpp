@@ -1,5 +1,6 @@
 // Numbers as people say them, in readouts and in fields, and that what is shown can be typed.
 #include "document/spoken.h"
+#include "document/time_left.h"
 #include "document/words.h"
 #include "scene/typed_number.h"
 #include "views/run_with_widgets.h"
@@ -160,6 +161,17 @@ private slots:
         QCOMPARE(translated(Message::number("%.3g", 1.04e-5)), QString("0.0000104"));
         QCOMPARE(translated(Message::number("%.3g", 2.5e7)), QString("25000000"));
         QCOMPARE(translated(Message::number("%.3g", 0.25)), QString("0.25"));
+    }
+
+    // A quarter in 10 s leaves three quarters, 30 s; what has hardly begun tells nothing yet.
+    void howLongWorkGoesOn()
+    {
+        QCOMPARE(secondsLeft(10.0, 0.25), 30.0);
+        QCOMPARE(timeLeftText(secondsLeft(10.0, 0.25)), QString("About 30 s left."));
+        QCOMPARE(timeLeftText(secondsLeft(100.0, 0.25)), QString("About 5 min left."));
+        QCOMPARE(timeLeftText(secondsLeft(10.0, 1.0)), QString("About 1 s left."));
+        QVERIFY(timeLeftText(secondsLeft(0.5, 0.25)).isEmpty());
+        QVERIFY(timeLeftText(secondsLeft(10.0, 0.0)).isEmpty());
     }
 
     void micrometresCanBeTyped()

@@ -6,6 +6,7 @@
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "document/recordings.h"
+#include "document/time_left.h"
 #include "document/words.h"
 #include "io/whole_file.h"
 #include "study/point_scene.h"
@@ -29,7 +30,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ripstop {
 namespace {
@@ -43,12 +43,6 @@ QString ending() { return QString::fromUtf8(studyEnding.data(), qsizetype(studyE
 
 // All but one, so that the window and what runs in it have one to themselves.
 int jobs() { return std::max(1, QThread::idealThreadCount() - 1); }
-
-QString timeText(double seconds)
-{
-    return seconds < 90.0 ? StudyPanel::tr("%1 s").arg(std::max(1.0, std::ceil(seconds)))
-                          : StudyPanel::tr("%1 min").arg(std::ceil(seconds / 60.0));
-}
 
 } // namespace
 
@@ -438,8 +432,8 @@ void StudyPanel::showState()
         words = tr("Something tore in %1, %2 ended early.").arg(tally.torn).arg(tally.stopped);
     if (tally.inaccurate > 0)
         words += ' ' + tr("%1 missed the wanted accuracy.").arg(tally.inaccurate);
-    if (const double left = m_runner->secondsLeft(); std::isfinite(left))
-        words += ' ' + tr("About %1 left.").arg(timeText(left));
+    if (const QString left = timeLeftText(m_runner->secondsLeft()); !left.isEmpty())
+        words += ' ' + left;
     if (const OtherBuild& other = m_runner->otherBuild(); other.rows > tally.flown)
         words += ' '
                  + tr("Flown by another build, %1: %2. They stay, and are flown anew.")
