@@ -285,6 +285,11 @@
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
+        <source>Strength, stiffness and grain that were painted stay at their places: on %1 of the links and panels.</source>
+        <translation>Résistance, raideur et droit-fil peints restent à leur place : sur %1 des liaisons et panneaux.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
         <source>The design shows the outcome while this dialog is open.</source>
         <translation>Le modèle montre le résultat tant que cette fenêtre est ouverte.</translation>
     </message>
@@ -2082,12 +2087,12 @@
     </message>
     <message>
         <location filename="empty_hint.cpp"/>
-        <source>This scene is empty. Its squares are 1 m wide, the person is 1.75 m tall.
+        <source>This scene is empty: it has no ground either.
 
 Insert brings in a whole kite, glider, parachute or cloth.
 File, Import makes fabric of a mesh (Ctrl+Shift+I).
 Draw, Links draws one particle after the other (D).</source>
-        <translation>Cette scène est vide. Ses carreaux font 1 m de large, la personne 1,75 m de haut.
+        <translation>Cette scène est vide : elle n’a pas de sol non plus.
 
 Insertion amène un cerf-volant, un deltaplane, un parachute ou une toile.
 Fichier, Importer fait du tissu d’un maillage (Ctrl+Maj+I).
@@ -2240,6 +2245,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
+        <source>Films of this kind have an even number of pixels in each direction: the last column or row is left out.</source>
+        <translation>Les films de cette sorte ont un nombre pair de pixels dans chaque sens : la dernière colonne ou ligne est laissée de côté.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
         <source>For a paper or a colleague: ripstop-cli run flies it again and compares every step.</source>
         <translation>Pour un article ou un collègue : ripstop-cli run la refait et compare chaque pas.</translation>
     </message>
@@ -2380,6 +2390,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
+        <source>Pi&amp;ns</source>
+        <translation>É&amp;pingles</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
         <source>R&amp;ate</source>
         <translation>&amp;Cadence</translation>
     </message>
@@ -2402,6 +2417,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="export_dialog.cpp"/>
         <source>T&amp;ime</source>
         <translation>T&amp;emps</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>The marks of particles that are held in place.</source>
+        <translation>Les marques des particules qui sont tenues en place.</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -2597,6 +2617,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="figures_text.cpp"/>
         <source>%1 of line</source>
         <translation>%1 de ligne</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 painted rows</source>
+        <translation>%1 rangs peints</translation>
     </message>
     <message>
         <location filename="figures_text.cpp"/>
@@ -4556,6 +4581,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>Of the last run</source>
+        <translation>Du dernier vol</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>Worst of the run</source>
         <translation>Pires du vol</translation>
     </message>
@@ -5211,6 +5241,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_import.cpp"/>
+        <source>%1: if its file has a wrong unit, scale it to a size.</source>
+        <translation>%1 : si l’unité du fichier est fausse, le mettre à une taille.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>%1: if its file is in %2, it is %3 m.</source>
+        <translation>%1 : si son fichier est en %2, il fait %3 m.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>%1: if that is wrong, scale it to a size.</source>
+        <translation>%1 : si c’est faux, le mettre à une taille.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
         <source>All faces of the mesh lie in one point; choose another file.</source>
         <translation>Toutes les faces du maillage sont en un point ; choisir un autre fichier.</translation>
     </message>
@@ -5231,6 +5276,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_import.cpp"/>
+        <source>The mesh is %1 m large, and hardly any fabric is</source>
+        <translation>Le maillage fait %1 m, ce que presque aucun tissu ne fait</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>The mesh is only %1 m large</source>
+        <translation>Le maillage ne fait que %1 m</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>The mesh is scaled to %1 m: hardly any fabric has such a size.</source>
+        <translation>Le maillage est mis à %1 m : presque aucun tissu n’a cette taille.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
         <source>The mesh would be more than 1000 km wide; choose a smaller unit.</source>
         <translation>Le maillage ferait plus de 1000 km de large ; choisir une unité plus petite.</translation>
     </message>
@@ -5243,6 +5303,31 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_import.cpp"/>
         <source>The weld tolerance must be 0 or more, and smaller than the mesh.</source>
         <translation>La tolérance de soudure doit être 0 ou plus, et plus petite que le maillage.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
     </message>
     <message>
         <location filename="mesh_preview.cpp"/>
@@ -5441,8 +5526,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
-        <source>The mesh is larger than 200 m or smaller than 2 cm: check its unit.</source>
-        <translation>Le maillage fait plus de 200 m ou moins de 2 cm : vérifier son unité.</translation>
+        <source>The mesh is larger than 30 m or smaller than 5 cm: check its unit.</source>
+        <translation>Le maillage fait plus de 30 m ou moins de 5 cm : vérifier son unité.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
@@ -7097,6 +7182,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="presets.cpp"/>
         <source>There is no preset "%1"; ripstop-cli presets lists them.</source>
         <translation>Il n’y a pas de préréglage « %1 » ; ripstop-cli presets les énumère.</translation>
+    </message>
+    <message>
+        <location filename="probe_labels.cpp"/>
+        <source>and %1 more in Plots</source>
+        <translation>et %1 autres dans Courbes</translation>
     </message>
     <message>
         <location filename="problem_list.cpp"/>
@@ -9678,11 +9768,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="study_panel.cpp"/>
-        <source>%1 min</source>
-        <translation>%1 min</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
         <source>%1 missed the wanted accuracy.</source>
         <translation>%1 ont manqué la précision voulue.</translation>
     </message>
@@ -9734,11 +9819,6 @@ Right-click the name of a property, in the inspector or beside a slider, and cho
         <translation>Une étude fait voler la conception de nombreuses fois avec d’autres valeurs et montre le résultat sur une carte : pour quelle raideur et quelle résistance tient-elle ?
 
 Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un curseur, puis Étudier ceci.</translation>
-    </message>
-    <message>
-        <location filename="study_panel.cpp"/>
-        <source>About %1 left.</source>
-        <translation>Encore %1 environ.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -16078,6 +16158,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with up to %2 along cells that are %3 times as long as wide, instead of the membrane stiffness of %4, %5: their diagonals alone are stiffer. Make the cells squarer, or have panels carry the pull.</source>
         <translation>Les fils de %1 tirent jusqu’à %2 le long de mailles %3 fois plus longues que larges, au lieu de la raideur de membrane de %4, %5 : leurs diagonales seules sont plus raides. Rendez les mailles plus carrées, ou faites porter la traction par les panneaux.</translation>
+    </message>
+    <message>
+        <location filename="time_left.cpp"/>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <location filename="time_left.cpp"/>
+        <source>About %1 left.</source>
+        <translation>Encore %1 environ.</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
