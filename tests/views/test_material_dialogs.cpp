@@ -152,6 +152,20 @@ private slots:
         QVERIFY(!button(again, "Save")->isEnabled());
     }
 
+    // An ampersand of a name is no sign of a key, on the button as in the menu.
+    void anAmpersandIsShownAsItIs()
+    {
+        RopeForm form;
+        form.chooser->apply(**findPreset("liros_ltc80"));
+        form.chooser->saveAsOwn();
+        auto* dialog = form.dialog<OwnMaterialDialog>();
+        QVERIFY(dialog);
+        dialog->findChildren<QLineEdit*>().front()->setText("Rope & twine");
+        button(*dialog, "Save")->click();
+        QVERIFY(form.listed().contains("Rope && twine (own)"));
+        QCOMPARE(form.chooser->findChild<QToolButton*>()->text(), QString("Rope && twine (own)"));
+    }
+
     void aBadFileIsLeftAlone()
     {
         QVERIFY(QDir().mkpath(QFileInfo(ownFile()).path()));

@@ -272,7 +272,7 @@ void PresetChooser::refresh()
         return preset->own ? tr("%1 (own)").arg(QString::fromStdString(preset->label))
                            : translated(preset->label);
     };
-    m_button->setText(preset ? label() : tr("Choose\u2026"));
+    m_button->setText(preset ? inMenu(label()) : tr("Choose\u2026"));
     refreshSteps();
     refreshIdle();
     QStringList notes{std::exchange(m_warning, {}).toHtmlEscaped()};
