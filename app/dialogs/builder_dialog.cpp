@@ -15,6 +15,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "icons/complaint.h"
 #include "start/parameter_form.h"
 #include "viewport/viewport.h"
 
@@ -64,6 +65,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     , m_scroll(new QScrollArea)
     , m_show(new QCheckBox(tr("Show in the view")))
     , m_figures(new QLabel)
+    , m_lost(new Complaint)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel
                                      | QDialogButtonBox::RestoreDefaults))
     , m_ideal(m_buttons->addButton(tr("Ideal materials"), QDialogButtonBox::ResetRole))
@@ -126,6 +128,7 @@ void BuilderDialog::layOut()
     m_figures->setObjectName(QStringLiteral("counts"));
     m_figures->setWordWrap(true);
     m_figures->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_lost->setObjectName(QStringLiteral("lost"));
     m_figures->setMinimumHeight(4 * fontMetrics().lineSpacing()); // does not jump as it fills
     m_show->setObjectName(QStringLiteral("show"));
     m_show->setChecked(true);
@@ -163,6 +166,7 @@ void BuilderDialog::layOut()
     form->addWidget(m_show);
     m_show->setVisible(m_open.has_value()); // a design of its own has a view of its own
     form->addWidget(m_figures);
+    form->addWidget(m_lost);
     form->addWidget(m_buttons);
     auto* layout = new QHBoxLayout(this);
     layout->addLayout(form);
@@ -313,11 +317,10 @@ void BuilderDialog::collect()
         lines << tr("Strength, stiffness and grain that were painted stay at their places: on %1 "
                     "of the links and panels.")
                      .arg(m_outcome->painted);
-    if (const QString lost = textOf(m_outcome->lost, m_outcome->letGo); !lost.isEmpty())
-        lines << lost;
     if (m_outcome->figures.particles > mostShown)
         lines << tr("Too large to be shown while you type.");
     m_figures->setText(lines.join(QChar('\n')));
+    m_lost->tell(textOf(m_outcome->lost, m_outcome->letGo));
     preview();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(true);
 }
@@ -326,6 +329,7 @@ void BuilderDialog::refuse(const QString& why)
 {
     takeBack();
     m_figures->setText(why);
+    m_lost->tell({});
 }
 
 void BuilderDialog::preview()

@@ -29,6 +29,7 @@ class QScrollArea;
 
 namespace ripstop {
 
+class Complaint;
 class Document;
 class ParameterForm;
 class PlaceForm;
@@ -89,6 +90,7 @@ private:
     QPlainTextEdit* m_table = nullptr; // of a builder that takes one
     QCheckBox* m_show;
     QLabel* m_figures;
+    Complaint* m_lost; // what would go of the work of hands
     QDialogButtonBox* m_buttons;
     QPushButton* m_ideal; // sets what the papers have
 

@@ -393,19 +393,29 @@ private slots:
         QCOMPARE(shop.count(), std::size_t(15));
     }
 
+    // What is lost stands apart, in the colour of what is wrong; what was painted stays.
     void workByHandIsTold()
     {
         Scene scene = built("frame");
         for (Entry& entry : scene.items)
-            if (Part* part = std::get_if<Part>(&entry.item))
+            if (Part* part = std::get_if<Part>(&entry.item)) {
                 part->particles[5].position.x() += 0.3;
+                part->links[2].strengthFactor = 0.5;
+            }
         Shop shop(std::move(scene));
         shop.selection.set({shop.part(0)});
         shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
-            auto* said = dialog.findChild<QLabel*>("counts");
-            QTRY_VERIFY(said->text().contains("1 particle moved"));
-            QVERIFY(said->text().contains("detach"));
+            auto* lost = dialog.findChild<QLabel*>("lost");
+            QTRY_VERIFY(lost->isVisible());
+            QVERIFY(lost->text().contains("1 particle moved"));
+            QVERIFY(lost->text().contains("detach"));
+            QVERIFY(!lost->text().contains("painted"));
+            const QString counts = dialog.findChild<QLabel*>("counts")->text();
+            QVERIFY2(counts.contains("painted stay at their places: on 1 of"), qPrintable(counts));
+            okOf(dialog)->click();
         });
+        const Part& part = *findItem<Part>(shop.document.scene(), shop.part(0));
+        QCOMPARE(part.links[2].strengthFactor, 0.5);
     }
 
     void detachingSaysWhatIsLost()
