@@ -122,6 +122,56 @@ private slots:
         QVERIFY(!isSeen(hand->position));
     }
 
+    // A kite that climbs to twice its height takes the camera with it, and who holds it stays in
+    // the picture, until a person moves the camera. What has broken away is not followed without
+    // end: the fabric stays then where it is in the picture, and the hand goes.
+    void whatWasFittedStaysInThePicture()
+    {
+        const Scene scene = *build(*findBuilder("rectangular_kite"), {});
+        View view(scene);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        const auto start = view.player.frame();
+        const auto& pinned = start->layout->pinned;
+        const auto hand = std::size_t(std::ranges::find(pinned, 1) - pinned.begin());
+        const Vec3 place = start->position.at(hand);
+        const auto fly = [&](double rise) { // m, of all but the hand
+            auto frame = std::make_shared<Frame>(*start);
+            frame->step = 100;
+            for (std::size_t i = 0; i < pinned.size(); ++i)
+                if (!pinned[i])
+                    frame->position[i].y() += rise;
+            view.viewport.show(frame);
+            (void)view.viewport.image(Viewport::Overlays::Without); // as when it is painted
+        };
+        const auto isSeen = [&](const Vec3& point) {
+            const Camera& camera = view.viewport.camera();
+            const auto pixel =
+                CameraProjection(camera, view.viewport.width(), view.viewport.height())
+                    .pixel(point);
+            return pixel && QRectF(view.viewport.rect()).contains(*pixel);
+        };
+        view.viewport.fit();
+        QVERIFY(isSeen(place));
+        const double height = start->position.front().y() - place.y(); // m, of the kite
+        for (int i = 1; i <= 10; ++i) {
+            fly(0.1 * i * height);
+            QVERIFY2(isSeen(place), qPrintable(QString::number(i)));
+            QVERIFY(isSeen(view.viewport.frame()->position.front()));
+        }
+        fly(100.0 * height);
+        QVERIFY(!isSeen(place));
+        QVERIFY(isSeen(view.viewport.frame()->position.front()));
+
+        fly(0.0);
+        view.viewport.fit();
+        Camera mine = view.viewport.camera();
+        mine.distance *= 0.9;
+        view.viewport.look(mine);
+        fly(height);
+        QCOMPARE(view.viewport.camera().distance, mine.distance);
+    }
+
     void everyBuilderFitsThePicture()
     {
         for (const Builder& builder : allBuilders()) {

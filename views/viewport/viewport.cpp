@@ -23,10 +23,11 @@
 namespace ripstop {
 namespace {
 
-constexpr int corner = 12;    // pixels between the edge and what lies over the view
-constexpr int barGap = 4;     // pixels above the bar of a tool
-constexpr double room = 2.2;  // m, half of what is seen of a scene without anything in it
-constexpr double most = 0.65; // of the width, that a dialog may take from what is fitted
+constexpr int corner = 12;           // pixels between the edge and what lies over the view
+constexpr int barGap = 4;            // pixels above the bar of a tool
+constexpr double room = 2.2;         // m, half of what is seen of a scene without anything in it
+constexpr double most = 0.65;        // of the width, that a dialog may take from what is fitted
+constexpr double farthestBack = 3.0; // times as far as when everything was fitted
 
 // The fabric, or the network where there is none.
 void addSubject(std::vector<Vec3>& points, const Frame& frame)
@@ -84,6 +85,7 @@ void Viewport::Private::prepare()
 {
     stage.setPixelRatio(shotRatio.value_or(screen.devicePixelRatioF()));
     stage.prepare(document.scene());
+    keepWhole();
     compass.setWind(stage.frame() ? stage.frame()->wind : Vec3::Zero());
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
     if (!legend.isHidden())
@@ -161,12 +163,33 @@ void Viewport::Private::fitNow()
 bool Viewport::Private::seesSubject()
 {
     stage.prepare(document.scene());
-    const CameraProjection project(camera, screen.width(), screen.height());
     const std::vector<Vec3> points = stage.subjectPoints();
-    return points.empty() || std::ranges::any_of(points, [&](const Vec3& point) {
-               const auto pixel = project.pixel(point);
-               return pixel && QRectF(screen.rect()).contains(*pixel);
-           });
+    return points.empty()
+           || std::ranges::any_of(points, [this](const Vec3& point) { return sees(point); });
+}
+
+bool Viewport::Private::sees(const Vec3& point) const
+{
+    const auto pixel = CameraProjection(camera, screen.width(), screen.height()).pixel(point);
+    return pixel && QRectF(screen.rect()).contains(*pixel);
+}
+
+// A camera that goes with a kite would leave the hand that holds it. As long as nobody has moved it
+// since everything was fitted, it goes back until everything is in the picture again, though not
+// without end where something has torn off.
+void Viewport::Private::keepWhole()
+{
+    if (!untouched || !wholeScene || !chase.isOn())
+        return;
+    const std::vector<Vec3> points = stage.shownPoints();
+    if (std::ranges::all_of(points, [this](const Vec3& point) { return sees(point); }))
+        return;
+    Camera wider = camera;
+    wider.fit(points, aspect(), overlayMargins());
+    if (wider.distance > farthestBack * fittedFrom)
+        return;
+    camera = wider;
+    chase.settle(stage.frame().get());
 }
 
 // Once when they come; later the picture is left as it is, however far they fly. Says whether the
@@ -257,6 +280,7 @@ void Viewport::takeOver(const Viewport& before)
     d->camera = before.d->camera;
     d->untouched = before.d->untouched;
     d->wholeScene = before.d->wholeScene;
+    d->fittedFrom = before.d->fittedFrom;
     d->stage.takeRanges(before.d->stage);
     d->stage.setSelected(d->selection.ids());
     d->chase.settle(d->stage.frame().get());
@@ -380,6 +404,7 @@ void Viewport::fit()
     d->untouched = true;
     d->wholeScene = true;
     d->fitNow();
+    d->fittedFrom = d->camera.distance;
     emit cameraChanged();
 }
 

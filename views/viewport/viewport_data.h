@@ -67,6 +67,8 @@ public:
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
     bool seesSubject(); // some of the design is in the picture
+    bool sees(const Vec3& point) const;
+    void keepWhole();
     bool lookAtGhosts(const std::vector<GhostFrame>& ghosts);
 
     template <typename Change>
@@ -96,6 +98,7 @@ public:
     std::optional<double> shotRatio; // pixels for one of the view, while a picture is taken
     bool untouched = true;           // the camera still shows all it should, as nobody has moved it
     bool wholeScene = false;         // should show: everything, or the fabric and what it carries
+    double fittedFrom = 0.0;         // m, the distance of the camera when everything was fitted
     Chase chase;
 
     // Ghosts that stand beside are to be seen whole; when they go, so does the camera.
