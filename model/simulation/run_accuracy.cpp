@@ -22,7 +22,8 @@ Message RunAccuracy::complaint() const
                       percent(missedShare()), Message::number("%.3g", worstTime), worstLink,
                       Message::number("%.3g", worst));
     if (pulls <= wantedPulls && strain <= wantedStrain)
-        return Message("%1. By now it is kept; a shorter time step may keep it throughout.", where);
+        return Message("%1. After %2 s it was kept; a shorter time step may keep it throughout.",
+                       where, Message::number("%.3g", missedLast));
     const Message remedy =
         isAutomatic ? Message("Take a shorter time step.") : Message("Take the automatic solver.");
     return pulls / wantedPulls >= strain / wantedStrain

@@ -24,6 +24,7 @@ struct RunAccuracy
     std::int64_t missed = 0;     // steps of which either was too large
     double worst = 0.0;          // 1, how often the error was as large as it may be, at most
     double worstTime = 0.0;      // s
+    double missedLast = 0.0;     // s, at the end of the last step that missed
     std::uint32_t worstLink = 0; // id; 0 for none
     double fastestSwing = 0.0;   // Hz, that the next step tells as it is: step/true_swings.h
 

@@ -267,7 +267,10 @@ void Simulation::Private::noteAccuracy()
     accuracy.wantedStrain = system().strainGoal;
     accuracy.isAutomatic = system().solver == Solver::Auto;
     ++accuracy.steps;
-    accuracy.missed += ratio > 1.0;
+    if (ratio > 1.0) {
+        ++accuracy.missed;
+        accuracy.missedLast = run.now.time;
+    }
     if (ratio > accuracy.worst) {
         const int rod = last.worstRod(system());
         accuracy.worst = ratio;

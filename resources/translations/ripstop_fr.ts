@@ -7953,8 +7953,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
-        <source>%1. By now it is kept; a shorter time step may keep it throughout.</source>
-        <translation>%1. À présent elle est tenue ; un pas de temps plus court peut la tenir tout du long.</translation>
+        <source>%1. After %2 s it was kept; a shorter time step may keep it throughout.</source>
+        <translation>%1. Après %2 s, elle a été tenue ; un pas de temps plus court peut la tenir tout du long.</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
