@@ -394,7 +394,19 @@ private:
                         "choose the automatic solver, or another integrator."),
                 noId);
         const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
-        if (!limit || !exceeds(settings, *limit))
+        if (!limit)
+            return;
+        if (limit->bends && settings.solver == Solver::Auto
+            && settings.timeStep > mostSubsteps * limit->timeStep)
+            return add("step", Severity::Warning,
+                       Message("The bending at particle %1 needs substeps of %2 s, and the "
+                               "automatic solver takes no more than %3 of them in a time step: it "
+                               "will run away. Lower the flexural rigidity, join small cells, or "
+                               "shorten the time step.",
+                               std::uint32_t(limit->particle),
+                               Message::number("%.3g", limit->timeStep), mostSubsteps),
+                       limit->particle);
+        if (!exceeds(settings, *limit))
             return;
         const double h = settings.timeStep / settings.substeps;
         add("step", Severity::Warning,

@@ -37,6 +37,9 @@ constexpr bool isImplicit(Integrator integrator)
 // many fewer.
 inline constexpr int substepsOfEuler = 4;
 
+// Of a time step, that the automatic solver takes at most.
+inline constexpr int mostSubsteps = 2000;
+
 // Whether it goes on from State::drift instead of from the velocity.
 constexpr bool isVerlet(Integrator integrator)
 {

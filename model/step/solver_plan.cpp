@@ -23,8 +23,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int mostSubsteps = 2000;
 constexpr double safety = 1.5;
+constexpr double spareForStiffness = 1.05;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
 constexpr double slowBends = 2.0;         // time steps that what bends is stable for
 constexpr double manySubsteps = 100.0;    // in 10 ms
@@ -142,10 +142,9 @@ int substepsWithin(double timeStep, double limit, double spare)
                       mostSubsteps);
 }
 
-// A twentieth to spare.
 int substepsForStiffness(const System& system)
 {
-    return substepsWithin(system.timeStep, stiffStepLimit(system), 1.05);
+    return substepsWithin(system.timeStep, stiffStepLimit(system), spareForStiffness);
 }
 
 // [rods] 1 where it is of a spar whose bends are solved with its rods.
@@ -235,8 +234,7 @@ public:
                         "strain of %2 %",
                         plan.substeps, Message::number("%.3g", 100.0 * m_system.strainGoal));
         if (stiff > 1)
-            plan.reason = Message("%1; %2 needs at least %3", std::move(plan.reason),
-                                  boundingForces(m_system), stiff);
+            plan.reason = needs(std::move(plan.reason), stiff);
         if (!m_system.membranes.empty())
             return plan;
         for (auto given = m_given.rbegin(); given != m_given.rend(); ++given)
@@ -245,6 +243,18 @@ public:
     }
 
 private:
+    //   stiff  substeps that forces need, as far as they are taken
+    Message needs(Message reason, int stiff) const
+    {
+        const double wanted =
+            std::ceil(spareForStiffness * m_system.timeStep / stiffStepLimit(m_system));
+        if (wanted > mostSubsteps)
+            return Message("%1; %2 would need %3, and no more are taken", std::move(reason),
+                           boundingForces(m_system), Message::number("%.3g", wanted));
+        return Message("%1; %2 needs at least %3", std::move(reason), boundingForces(m_system),
+                       stiff);
+    }
+
     bool givesAll() const
     {
         for (std::size_t r = 0; r < m_direct.size(); ++r)

@@ -9,6 +9,7 @@
 
 #include "builders/builder.h"
 #include "builders/network.h"
+#include "check/check.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
 #include "simulation/simulation.h"
@@ -388,6 +389,27 @@ private slots:
         const std::uint64_t alone = stateHash(run(system, 20));
         for (const int threads : {2, 3, 8})
             QCOMPARE(stateHash(run(system, 20, threads)), alone);
+    }
+
+    // As many substeps as bending needs, up to 2000, and a word where those are too few; w goes
+    // with the root of B.
+    void bendingMayNeedMoreThanAreTaken()
+    {
+        const Scene scene = *build(*findBuilder("bending_test"), {});
+        const double times = mostSubsteps * stepLimit(scene)->timeStep / scene.settings.timeStep;
+        const auto stiffened = [&](double factor) {
+            Scene stiffer = scene;
+            for (Entry& entry : stiffer.items)
+                if (Material* material = std::get_if<Material>(&entry.item))
+                    material->bendingStiffness *= std::pow(factor * times, 2.0);
+            return stiffer;
+        };
+        QVERIFY(problemsOf(stiffened(0.99)).empty());
+        const auto tooMany = problemsOf(stiffened(1.01));
+        QCOMPARE(tooMany.size(), std::size_t(1));
+        QVERIFY(tooMany[0].message.english().find("takes no more than 2000") != std::string::npos);
+        const SolverPlan plan = planFor(**compile(stiffened(1.01)));
+        QVERIFY(plan.reason.english().find("no more are taken") != std::string::npos);
     }
 };
 
