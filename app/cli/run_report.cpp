@@ -19,6 +19,16 @@
 namespace ripstop {
 namespace {
 
+// The law of panels is of small strains. Pulled to one that is not, Green's strain, e + e^2 / 2,
+// along a length that has grown, 1 + e, makes more of it than E t e. Null below.
+Json largeStrainOf(double strain)
+{
+    constexpr double large = 0.05;
+    if (!(strain > large))
+        return nullptr;
+    return {{"strain", strain}, {"pull_over_linear", (1.0 + strain) * (1.0 + 0.5 * strain)}};
+}
+
 const char* elementKind(const Tear& tear, const Frame& frame)
 {
     return isOfPanel(tear, *frame.layout) ? "panel" : "link";
@@ -215,8 +225,10 @@ Json runReport(const Simulation& simulation, double wallSeconds)
     result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
     result["hash"] = hashText(stateHash(state));
     result["torn"] = tornElements(*frame);
-    result["max_strain"] = std::max(largest == frame->strain.end() ? 0.0 : double(*largest),
-                                    largestPanelStrain(simulation.system(), simulation.state()));
+    const double ofPanels = largestPanelStrain(simulation.system(), simulation.state());
+    result["max_strain"] =
+        std::max(largest == frame->strain.end() ? 0.0 : double(*largest), ofPanels);
+    result["large_strain"] = largeStrainOf(ofPanels);
     result["accuracy"] = accuracyOf(frame->accuracy);
     result["energy"] = energy.total();
     result["energies"] = {
@@ -353,8 +365,12 @@ void printRunTable(const Json& result, const Layout& layout)
                            + (still ? "" : " in the last half second"));
     }
     printReportRow("largest strain", shortNumber(result["max_strain"]) + " at the end");
-    const Json& accuracy = result["accuracy"];
     const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
+    if (const Json& large = result["large_strain"]; !large.is_null())
+        printReportRow("", "panels stretched by " + percent(large["strain"]) + " pull "
+                               + percent(large["pull_over_linear"].get<double>() - 1.0)
+                               + " more than E t times that: their law is of small strains");
+    const Json& accuracy = result["accuracy"];
     printReportRow("error of pulls", percent(accuracy["reached"]) + ", wanted "
                                          + percent(accuracy["wanted"]) + "; missed in "
                                          + percent(accuracy["missed"]) + " of the steps");

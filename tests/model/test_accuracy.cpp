@@ -152,6 +152,31 @@ private slots:
         QCOMPARE(outcome.exitCode, 0); // it says so all the same
         QVERIFY(outcome.error.contains("wanted accuracy"));
     }
+
+    // Panels are of a law of small strains: a run says what it makes of one that is not.
+    void commandLineTellsOfLargeStrains()
+    {
+        QTemporaryDir folder;
+        const QString sheet = folder.filePath("sheet.ripstop.json");
+        QCOMPARE(call({"build", "cloth", "cloth=royal_target", "hang=1", "sphere=0", "flat=0",
+                       "wind=0", "columns=4", "rows=4", "-o", sheet})
+                     .exitCode,
+                 0);
+        const auto flown = [&](const QStringList& more) {
+            return call(QStringList{"run", sheet, "--seconds", "3"} + more);
+        };
+        QVERIFY(flown({"--json"}).json()["large_strain"].isNull());
+
+        const QStringList soft{"--set", "cloth.membraneStiffness=20"};
+        const QJsonObject large =
+            flown(soft + QStringList{"--json"}).json()["large_strain"].toObject();
+        const double strain = large["strain"].toDouble();
+        QVERIFY(strain > 0.05 && strain < 0.25);
+        // St. Venant and Kirchhoff: S = E t (e + e^2 / 2) along a length of 1 + e
+        const double pull = (strain + 0.5 * strain * strain) * (1.0 + strain);
+        QVERIFY(std::abs(large["pull_over_linear"].toDouble() - pull / strain) < 1e-9);
+        QVERIFY(flown(soft).out.contains("their law is of small strains"));
+    }
 };
 
 const RegisteredTest registered("test_accuracy", runWithCore<TestAccuracy>);
