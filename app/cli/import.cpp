@@ -275,6 +275,7 @@ int importMeshes(const ImportOptions& options)
         return fail(WrongUsage, failure->message);
     if (const auto failure = saveReadable(scene, options.output))
         return fail(BadInput, failure->message);
+    tellWarnings(scene, options.output);
     if (options.json)
         print({{"scene", options.output}, {"meshes", std::move(list)}});
     return Done;

@@ -16170,6 +16170,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <translation>Encore %1 environ.</translation>
     </message>
     <message>
+        <location filename="thread_check.cpp"/>
+        <source>Threads of %1 pull with up to %2 and resist shear with up to %3, where %4 has %5 and %6: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
+        <translation>Les fils de %1 tirent avec jusqu’à %2 et résistent au cisaillement avec jusqu’à %3, alors que %4 a %5 et %6 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
+    </message>
+    <message>
+        <location filename="thread_check.cpp"/>
+        <source>Threads of %1 pull with up to %2, where %3 has %4: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
+        <translation>Les fils de %1 tirent avec jusqu’à %2, alors que %3 a %4 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
+    </message>
+    <message>
         <location filename="timeline.cpp"/>
         <source> · full</source>
         <translation> · plein</translation>

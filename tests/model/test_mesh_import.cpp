@@ -264,7 +264,9 @@ private slots:
         QCOMPARE(groups, 2);
 
         shape.parts = MeshParts::PerObject;
-        const Scene many = sceneOf(preparedOf(mesh, shape));
+        MeshFabric fabric = plainFabric();
+        fabric.carrier = FabricKind::Panels; // threads of triangles are told of
+        const Scene many = sceneOf(preparedOf(mesh, shape), fabric);
         std::vector<std::string> names;
         forEachPart(many, [&](Id, const Part& part) { names.push_back(part.name); });
         QCOMPARE(names, (std::vector<std::string>{"cube", "flag"}));
@@ -288,6 +290,7 @@ private slots:
         QCOMPARE(materialsOf(sceneOf(ready)).size(), 1u);
         MeshFabric fabric = plainFabric();
         fabric.isPerFileMaterial = true;
+        fabric.carrier = FabricKind::Panels; // threads of triangles are told of
         const Scene scene = sceneOf(ready, fabric);
         const std::vector<Material> materials = materialsOf(scene);
         QCOMPARE(materials.size(), 2u);
