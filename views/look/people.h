@@ -1,12 +1,12 @@
 // Who stands, flies and hangs in a scene, as its design says, so that sizes can be compared.
 //
-// Someone stands where a control moves pinned particles at which nothing but lines ends: the hand of
-// a kite.
-// Someone hangs
+// Someone stands where a control moves pinned particles at which nothing but lines ends: the hand
+// of a kite. Someone hangs
 // - prone, where controls shift a weight below fabric: the pilot of a glider;
 // - upright, where three lines or more carry a weight, as heavy as a person or a child, below
-// fabric. Names count for nothing, so that a design drawn by hand has its people, too. All of it is
-// found once for each layout and edit; where they are in a frame is told by figure.h.
+//   fabric.
+// Names count for nothing, so that a design drawn by hand has its people, too. All of it is found
+// once for each layout and edit; where they are in a frame is told by figure.h.
 #pragma once
 
 #include "scene/scene.h"
