@@ -3,7 +3,7 @@
 // A flat circular canopy of nominal diameter D0, in the shape that it takes when it is full: a
 // spherical cap whose arc is D0 long and whose mouth is `fullness` D0 wide. With 6 rings and 24
 // sectors: 1 + 6 S = 145 particles, 17 S = 408 rods, 11 S = 264 panels, then S lines and the
-// payload. With a `vent` the first row of nodes is its rim: 1 + 7 S particles. A hem runs around
+// payload. With a vent the first row of nodes is its rim: 1 + 7 S particles. A hem runs around
 // it, and lines that go on where the seams between the gores end cross it, tied where they meet.
 // The paper holds the mouth open with a hoop: two virtual particles tied to the whole skirt, which
 // makes a rigid double pyramid of 3 S rods.
@@ -43,7 +43,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"hoop",          "",       1,      0, 1,     true,  "1 holds the skirt open with a rigid hoop where there is no canopy pressure, 0 leaves it to the air.", {}, {}, {}, isZero("pressure")},
     {"diameter",      "m",      5,      0.3, 60,  false, "Nominal diameter D0: that of the canopy laid out flat.", "Canopy"},
     {"fullness",      "",       0.67,   0.5, 0.95, false, "Width of the open mouth over the nominal diameter; 0.67 to 0.70 for flat circular canopies."},
-    {"vent",          "m",      0,      0, 12,    false, "Diameter of the hole in the crown, laid out flat, with lines across it; 5 to 10 % of the nominal diameter are usual and half of it is the most, 0 has none."},
+    {"vent_diameter", "m",      0,      0, 12,    false, "Diameter of the hole in the crown, laid out flat, with lines across it; 5 to 10 % of the nominal diameter are usual and half of it is the most, 0 has none."},
     {"drag",          "",       0.775,  0.05, 2,  false, "Drag coefficient CD0 on the nominal area; 0.75 to 0.80 for flat circular canopies.", {}, {}, {}, isZero("pressure")},
     {"cloth",         "",       0,      0, canopyCloths.size() - 1, true, "Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.", "Materials", canopyCloths, 1},
     {"cord",          "",       0,      0, canopyCords.size() - 1, true, "What the suspension lines are made of; ideal ones never stretch.", {}, canopyCords, 1},
@@ -69,7 +69,10 @@ constexpr auto ownParameters = std::to_array<Parameter>({
 constexpr auto parameters = joined(ownParameters, patchParameters(canopyPatches, 0.4));
 
 // m, of the vent; a larger one would leave no canopy.
-double ventOf(const Parameters& p) { return std::min(p.at("vent"), 0.5 * p.at("diameter")); }
+double ventOf(const Parameters& p)
+{
+    return std::min(p.at("vent_diameter"), 0.5 * p.at("diameter"));
+}
 
 // Half the angle that the cap spans at its centre: sin(a) / a = fullness.
 double capAngle(double fullness)
@@ -104,7 +107,7 @@ public:
     Canopy(Network& network, const Parameters& p)
         : m_rings(int(p.at("rings")))
         , m_sectors(int(p.at("sectors")))
-        , m_hasVent(p.at("vent") > 0.0)
+        , m_hasVent(p.at("vent_diameter") > 0.0)
     {
         const double vent = ventOf(p) / p.at("diameter"); // 1
         const double angle = capAngle(p.at("fullness"));

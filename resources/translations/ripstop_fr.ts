@@ -15111,8 +15111,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Vent</source>
-        <translation>Cheminée</translation>
+        <source>Vent diameter</source>
+        <translation>Diamètre de la cheminée</translation>
     </message>
     <message>
         <location filename="tables"/>

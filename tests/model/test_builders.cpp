@@ -108,8 +108,8 @@ private slots:
             169 + 84 + 1, 476 + 112, 0, 308);
         row("parachute that holds air", "parachute", {{"pressure", 1.68}}, 218, 504, 0, 264);
         // a vent: V = 1 + 7S, T = 12S, E = 18S, a rim of S and lines of S to the crossing
-        row("parachute with a vent", "parachute", {{"vent", 0.4}, {"hoop", 0}}, 169 + 73, 480 + 96,
-            0, 288);
+        row("parachute with a vent", "parachute", {{"vent_diameter", 0.4}, {"hoop", 0}}, 169 + 73,
+            480 + 96, 0, 288);
         row("rod of the papers", "stiffened_rod", {}, 6, 11, 0, 0);
         row("rope", "rope", {{"segments", 14}}, 15, 14, 0, 0);
         row("rope with second neighbours", "rope", {{"segments", 14}, {"stiffened", 1}}, 15, 27, 0,
@@ -352,7 +352,7 @@ private slots:
         constexpr double vent = 0.5; // m, of 5 m
         const Parameters whole{{"cloth", cloth}, {"cord", cloth}, {"pressure", pressure}};
         Parameters vented = whole;
-        vented["vent"] = vent;
+        vented["vent_diameter"] = vent;
         const Scene scene = built("parachute", vented);
         const Part& part = partOf(scene);
         QVERIFY(problemsOf(scene).empty());

@@ -98,7 +98,7 @@ private slots:
                                           {0.3, 0.5}}) {
             const Scene scene = craft("parachute", nylon({{"pressure", 1.68},
                                                           {"mouth", mouth},
-                                                          {"vent", vent},
+                                                          {"vent_diameter", vent},
                                                           {"sectors", sectors},
                                                           {"rings", rings}}));
             Simulation simulation(*compile(scene));
@@ -149,7 +149,7 @@ private slots:
         QFETCH(Parameters, given);
         double rate[2] = {};
         for (const int vented : {0, 1}) {
-            given["vent"] = vented * 0.5;
+            given["vent_diameter"] = vented * 0.5;
             Simulation simulation(*compile(craft("parachute", given)));
             constexpr int looks = 100;
             for (int look = 0; look < looks; ++look) {
