@@ -4,6 +4,7 @@
 
 #include "check/check.h"
 #include "check/unknown.h"
+#include "derived/thread_fabric.h"
 #include "io/json_text.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
@@ -85,7 +86,7 @@ std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assi
         const Result<Edit> edit = assignment(scene, text);
         if (!edit)
             return Failure("--set %1: %2", text, edit.message());
-        (void)apply(scene, *edit);
+        (void)apply(scene, threaded(scene, *edit));
     }
     return std::nullopt;
 }

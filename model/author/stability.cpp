@@ -1,14 +1,15 @@
 // Looks at a scene before its first step. Look holds what all questions need: an index and a net,
 // made once. Each question is a function that makes one finding or none: particles without mass,
-// loose ones, double links, threads beside panels that carry, the substep against its limit, the
-// mass ratio of rods, the sweeps against the length of the network, and lengths at the start. A
-// finding that can be repaired has the edit with it. Warnings are sorted to the front.
+// loose ones, double links, the substep against its limit, the mass ratio of rods, the sweeps
+// against the length of the network, and lengths at the start; what is wrong with fabric is in
+// fabric_findings.h. A finding that can be repaired has the edit with it. Warnings are sorted to the
+// front.
 #include "author/stability.h"
 
+#include "author/fabric_findings.h"
 #include "check/check.h"
 #include "check/step_limits.h"
 #include "derived/link_stiffness.h"
-#include "derived/panel_fabric.h"
 #include "derived/tear_bounds.h"
 #include "select/net.h"
 
@@ -415,32 +416,6 @@ std::optional<Finding> doubles(const Look& look)
     return finding;
 }
 
-std::optional<Finding> threadsBesidePanels(const Look& look)
-{
-    Finding finding = about(Message("Fabric"), "both");
-    std::size_t threads = 0;
-    forEachPart(look.scene, [&](Id id, const Part& part) {
-        const auto count =
-            part.carrier == FabricKind::Panels ? std::ranges::count_if(part.links, isOfFabric) : 0;
-        threads += std::size_t(count);
-        if (count > 0)
-            finding.culprits.push_back(id);
-    });
-    if (finding.culprits.empty())
-        return std::nullopt;
-    std::ranges::sort(finding.culprits);
-    finding.severity = Severity::Warning;
-    finding.message =
-        threads == 1
-            ? Message("1 thread carries the pull of fabric that panels carry as well.")
-            : Message("%1 threads carry the pull of fabric that panels carry as well.", threads);
-    if (Result<PanelFabric> made = carriedByPanels(look.scene, finding.culprits)) {
-        finding.repair = std::move(made->edit);
-        finding.repair->label = Message("Remove the threads");
-    }
-    return finding;
-}
-
 std::optional<Finding> loose(const Look& look)
 {
     Finding finding = about(Message("Loose particles"), "loose");
@@ -477,8 +452,9 @@ std::vector<Finding> stabilityOf(const Scene& scene)
 {
     const Look look(scene);
     std::vector<Finding> findings;
-    for (auto examine :
-         {massless, loose, doubles, threadsBesidePanels, timeStep, softness, massRatio, iterations})
+    for (Finding& finding : fabricFindings(scene))
+        findings.push_back(std::move(finding));
+    for (auto examine : {massless, loose, doubles, timeStep, softness, massRatio, iterations})
         if (auto finding = examine(look))
             findings.push_back(std::move(*finding));
     for (Finding& finding : lengths(look))

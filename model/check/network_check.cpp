@@ -1,6 +1,8 @@
 // Links that join the same two particles are found by counting sort, in two passes over all links.
 #include "check/network_check.h"
 
+#include "derived/thread_fabric.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -33,12 +35,26 @@ void reportDoubles(const Scene& scene, const std::vector<int>& again, const AddF
     });
 }
 
-//   tied  [particles] 1 where something holds it
-void reportLoose(const Scene& scene, const ElementIndex& index,
-                 const std::vector<std::uint8_t>& tied, const AddFinding& add)
+//   bare  parts whose particles need not be named one by one
+void reportThreadless(const Scene& scene, const std::vector<Id>& bare, const AddFinding& add)
 {
-    forEachPart(scene, [&](Id, const Part& part) {
-        if (part.links.empty())
+    for (const Id part : bare)
+        add("threadless", Severity::Warning,
+            Message("The fabric of %1 pulls by threads and has none, so that nothing holds it "
+                    "together: have panels carry its pull (carrier=panels), or make threads of the "
+                    "sides of its panels (ripstop-cli convert --fabric threads).",
+                    findItem<Part>(scene, part)->name),
+            part);
+}
+
+//   tied  [particles] 1 where something holds it
+//   bare  parts that are told of as a whole
+void reportLoose(const Scene& scene, const ElementIndex& index,
+                 const std::vector<std::uint8_t>& tied, const std::vector<Id>& bare,
+                 const AddFinding& add)
+{
+    forEachPart(scene, [&](Id id, const Part& part) {
+        if (part.links.empty() || std::ranges::count(bare, id) > 0)
             return;
         for (const Particle& row : part.particles) {
             const int place = index.particle(row.id);
@@ -104,7 +120,9 @@ void checkNetwork(const Scene& scene, const ElementIndex& index, const AddFindin
                 if (const int place = index.particle(corner); place >= 0)
                     tied[std::size_t(place)] = 1;
     });
-    reportLoose(scene, index, tied, add);
+    const std::vector<Id> bare = partsWithoutThreads(scene);
+    reportThreadless(scene, bare, add);
+    reportLoose(scene, index, tied, bare, add);
 }
 
 } // namespace ripstop

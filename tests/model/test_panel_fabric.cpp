@@ -7,6 +7,7 @@
 #include "check/check.h"
 #include "compile/compile.h"
 #include "derived/panel_fabric.h"
+#include "derived/thread_fabric.h"
 #include "measure/diagnostics.h"
 #include "registered_test.h"
 #include "shaping/operation.h"
@@ -90,6 +91,52 @@ class TestPanelFabric : public QObject
     Q_OBJECT
 
 private slots:
+    // Choosing threads for fabric that was imported as panels makes those that the import makes of
+    // triangles, in one step that can be taken back; before, nothing holds it, which is told once.
+    void choosingThreadsMakesThem()
+    {
+        const Scene panels = imported(false, FabricKind::Panels);
+        const Scene threads = imported(false, FabricKind::Threads);
+        const Edit chosen{
+            {},
+            {SetValues{&propertyOf<&Part::carrier>(), partsOf(panels), {std::string("threads")}}}};
+        Scene bare = panels;
+        (void)apply(bare, chosen);
+        Part& tied = firstOf<Part>(bare); // with a line, as a sail on its sheet
+        const Particle& clew = tied.particles.front();
+        const Particle cleat{
+            .id = takeId(bare), .position = clew.position - Vec3::UnitX(), .pinned = true};
+        tied.links.push_back({.id = takeId(bare),
+                              .from = clew.id,
+                              .to = cleat.id,
+                              .material = tied.panels.front().material});
+        tied.particles.push_back(cleat);
+        const std::vector<Finding> problems = problemsOf(bare);
+        QCOMPARE(std::ranges::count(problems, "threadless", &Finding::sort), 1);
+        QVERIFY(!findingOf(problems, "loose"));
+        const std::vector<Finding> findings = stabilityOf(bare);
+        const Finding* const repairable = findingOf(findings, "threadless");
+        QVERIFY(repairable && repairable->repair);
+        (void)apply(bare, *repairable->repair);
+        QVERIFY(!findingOf(problemsOf(bare), "threadless"));
+
+        Scene made = panels;
+        const Edit inverse = apply(made, threaded(panels, chosen));
+        const Part &part = firstPart(made), expected = firstPart(threads);
+        QVERIFY(part.carrier == FabricKind::Threads);
+        QCOMPARE(part.links.size(), expected.links.size());
+        for (std::size_t i = 0; i < part.links.size(); ++i) {
+            const Link &link = part.links[i], &like = expected.links[i];
+            QVERIFY(link.from == like.from && link.to == like.to && link.kind == like.kind);
+            QVERIFY(link.role == LinkRole::Thread && link.material == like.material);
+            QVERIFY(std::abs(link.restLength - like.restLength) < 1e-12);
+            QVERIFY(std::abs(link.width - like.width) < 1e-12);
+        }
+        QVERIFY(problemsOf(made).empty());
+        (void)apply(made, inverse);
+        QVERIFY(made.items == panels.items);
+    }
+
     // Particles, cut and material are those of the import with panels; only ids differ, which are
     // drawn for the threads as well. So both fly with the same bits.
     void isWhatIsImportedWithPanels_data()

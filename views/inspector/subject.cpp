@@ -6,6 +6,7 @@
 // inspector does the rest.
 #include "inspector/subject.h"
 
+#include "derived/thread_fabric.h"
 #include "document/document.h"
 #include "document/words.h"
 #include "scene/weigh.h"
@@ -129,8 +130,9 @@ Edit Subject::settingOf(const Property& property, std::vector<Value> values) con
     //: history: "Set mass of 3 particles of kite"
     const QString label =
         tr("Set %1 of %2").arg(labelOf(property).toLower(), describe(m_document.scene(), m_ids));
-    const Edit edit{Message::verbatim(label.toStdString()),
-                    {SetValues{&property, m_ids, std::move(values)}}};
+    const Edit edit =
+        threaded(m_document.scene(), {Message::verbatim(label.toStdString()),
+                                      {SetValues{&property, m_ids, std::move(values)}}});
     // weighed() fails where a particle would be left without mass; then only the value itself is
     // set.
     const Result<Edit> withMasses = weighed(m_document.scene(), edit);

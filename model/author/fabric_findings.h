@@ -1,0 +1,11 @@
+// Before the first step: fabric that is carried twice, by nothing, or with its warps every way,
+// each with the edit that repairs it (stability.h).
+#pragma once
+
+#include "check/finding.h"
+
+namespace ripstop {
+
+std::vector<Finding> fabricFindings(const Scene& scene);
+
+} // namespace ripstop
