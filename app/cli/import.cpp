@@ -45,6 +45,7 @@ struct ImportOptions
     std::optional<double> shearStiffness;
     std::optional<double> bending;
     std::string fabric;
+    std::optional<double> grain; // degrees
     std::string structural;
     std::string shear;
     std::string bend;
@@ -112,6 +113,10 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
     for (const FabricKind kind : {FabricKind::Threads, FabricKind::Panels})
         if (choiceNames<FabricKind>[std::size_t(kind)] == options.fabric)
             fabric.carrier = kind;
+    fabric.grain = options.grain.value_or(0.0);
+    if (options.grain && carrierOf(fabric) != FabricKind::Panels)
+        return Failure{"--grain turns the warp of panels, and threads run along the edges of the "
+                       "mesh: leave it out, or choose --fabric panels."};
     fabric.structural = styleCalled(options.structural);
     fabric.shear = styleCalled(options.shear);
     fabric.bend = styleCalled(options.bend);
@@ -373,6 +378,11 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
                     "are asked for or the material has no membrane stiffness")
         ->check(CLI::IsMember({"threads", "panels"}))
         ->type_name("threads|panels");
+    command
+        .add_option("--grain", options.grain,
+                    "Degrees by which the warp of panels is turned from the way the texture goes "
+                    "up; without a texture, from upright, or from x on what lies level; 0")
+        ->check(numberBetween(-180.0, 180.0));
     const auto style = [&](const char* name, std::string& value, const char* help) {
         command.add_option(name, value, help)
             ->check(CLI::IsMember({"none", "springs", "rods"}))

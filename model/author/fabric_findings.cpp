@@ -2,6 +2,7 @@
 #include "author/fabric_findings.h"
 
 #include "derived/panel_fabric.h"
+#include "derived/scattered_warps.h"
 #include "derived/thread_fabric.h"
 
 #include <algorithm>
@@ -58,12 +59,32 @@ std::optional<Finding> carriedByNothing(const Scene& scene)
     return finding;
 }
 
+std::optional<Finding> warpsEveryWay(const Scene& scene)
+{
+    const std::vector<ScatteredWarps> scattered = scatteredWarps(scene);
+    if (scattered.empty())
+        return std::nullopt;
+    std::vector<Id> parts;
+    double most = 0.0; // degrees
+    for (const ScatteredWarps& warps : scattered) {
+        parts.push_back(warps.part);
+        most = std::max(most, warps.apart);
+    }
+    Finding finding = warningOf("grain", std::move(parts));
+    finding.message =
+        Message("All panels of a fabric have one grain, which each counts from its own side ab, so "
+                "that warps lie up to %1 degrees apart.",
+                Message::number("%.0f", most));
+    finding.repair = turnedOneWay(scene, scattered);
+    return finding;
+}
+
 } // namespace
 
 std::vector<Finding> fabricFindings(const Scene& scene)
 {
     std::vector<Finding> findings;
-    for (auto examine : {carriedByNothing, carriedTwice})
+    for (auto examine : {carriedByNothing, carriedTwice, warpsEveryWay})
         if (auto finding = examine(scene))
             findings.push_back(std::move(*finding));
     return findings;

@@ -408,7 +408,7 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
                        stageOf(progress, double(i) / count, double(i + 1) / count)))
             return Failure{"The import was cancelled."};
         if (carrierOf(fabric) == FabricKind::Panels)
-            network.carryByPanels(warpsOf(surface));
+            network.carryByPanels(warpsOf(surface), fabric.grain);
         const Part& part = network.part();
         result.particles += part.particles.size();
         result.panels += part.panels.size();

@@ -62,6 +62,8 @@ struct MeshFabric
     bool isPerFileMaterial = false;      // one new material for each of the file, with its name,
                                          // colour and picture and the numbers of `material`; where
                                          // the file has one only, the new one has its picture
+    double grain = 0.0;                  // degrees, that the warp of panels is turned from the way
+                                         // in which the texture goes up (flat_panel.h)
     double bendStiffness = 0.0;          // N/m, of bend links; 0: 0.02 of the fabric's stiffness
     std::optional<LinkStyle> structural; // absent: defaultWeave()
     std::optional<LinkStyle> shear;

@@ -144,12 +144,13 @@ void Network::carryByPanels()
         layFlat(panel, row(panel.a), row(panel.b), row(panel.c));
 }
 
-void Network::carryByPanels(std::span<const Vec3> warps)
+void Network::carryByPanels(std::span<const Vec3> warps, double turn)
 {
     m_part.carrier = FabricKind::Panels;
     for (std::size_t i = 0; i < m_part.panels.size(); ++i) {
         Panel& panel = m_part.panels[i];
         layFlat(panel, position(panel.a), position(panel.b), position(panel.c), warps[i]);
+        panel.grain = turnedGrain(panel.grain, turn);
     }
 }
 

@@ -55,9 +55,9 @@ public:
 
     // Has the panels so far carry the pull of the fabric, cut as they lie: the warp along the
     // textures' v, or along what `warp` answers for the middle of a panel, or along `warps`
-    // [panels], projected onto it.
+    // [panels], projected onto it and turned by an angle, degrees.
     void carryByPanels();
-    void carryByPanels(std::span<const Vec3> warps);
+    void carryByPanels(std::span<const Vec3> warps, double turn = 0.0);
     void carryByPanels(const std::function<Vec3(const Vec3& middle)>& warp);
 
     // Takes all links of these materials away.

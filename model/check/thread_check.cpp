@@ -1,9 +1,11 @@
-// One finding of a kind for each material of a part, which names its longest cells.
+// One finding of a kind for each material of a part, which names its longest cells; and one for
+// each part whose panels were all given one grain.
 #include "check/thread_check.h"
 
 #include "derived/lattice_stiffness.h"
 #include "derived/link_stiffness.h"
 #include "derived/panel_fabric.h"
+#include "derived/scattered_warps.h"
 
 #include <algorithm>
 #include <map>
@@ -66,10 +68,24 @@ void checkWeft(const Part& part, const Link& thread, const Material& material,
         thread.id);
 }
 
+void checkWarps(const Scene& scene, const AddFinding& add)
+{
+    for (const ScatteredWarps& warps : scatteredWarps(scene))
+        add("grain", Severity::Warning,
+            Message("All panels of %1 have the grain %2 degrees, which each counts from its own "
+                    "side ab, so that warps lie up to %3 degrees apart. For one direction on the "
+                    "cloth map the grain by a formula, paint it with the brush, or import the mesh "
+                    "with the warp turned.",
+                    findItem<Part>(scene, warps.part)->name, Message::number("%.4g", warps.grain),
+                    Message::number("%.0f", warps.apart)),
+            warps.part);
+}
+
 } // namespace
 
 void checkThreads(const Scene& scene, const AddFinding& add)
 {
+    checkWarps(scene, add);
     forEachPart(scene, [&](Id, const Part& part) {
         std::map<Id, const Link*> longest; // of each material
         for (const Link& link : part.links)

@@ -68,6 +68,12 @@ double grainAlong(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp)
     return angle < 0.0 ? angle + 180.0 : angle;
 }
 
+double turnedGrain(double grain, double turn)
+{
+    const double rest = std::fmod(grain + turn, 180.0);
+    return rest < 0.0 ? rest + 180.0 : rest;
+}
+
 Panel turnedOver(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     Panel turned = panel;
@@ -123,6 +129,14 @@ Vec3 warpOf(const Particle& a, const Particle& b, const Particle& c)
 double uprightGrain(const Particle& a, const Particle& b, const Particle& c)
 {
     return grainAlong(a.position, b.position, c.position, warpOf(a, b, c));
+}
+
+double grainTurn(const Panel& panel, const Particle& a, const Particle& b, const Particle& c)
+{
+    constexpr double rounding = 1e-9; // degrees
+    const double turn = std::remainder(panel.grain - uprightGrain(a, b, c), 180.0);
+    // a warp across is the same either way, whatever rounding made of it
+    return turn < rounding - 90.0 ? turn + 180.0 : turn;
 }
 
 void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c)

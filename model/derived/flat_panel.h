@@ -43,6 +43,9 @@ std::optional<std::array<double, 2>> warpShares(const Panel& panel, const Vec3& 
 // where it runs across it.
 double grainAlong(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp);
 
+// Degrees, 0 to 180: this grain turned by an angle, from ab towards c; a warp runs both ways.
+double turnedGrain(double grain, double turn);
+
 // The same cloth seen from its other side: the panel with its corners b and c exchanged, and with
 // them its rest lengths and its grain. The places, m, are those of the corners before.
 Panel turnedOver(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c);
@@ -60,5 +63,9 @@ Vec3 uprightWarp(const std::array<Vec3, 3>& corners,
 // fabric goes up.
 double uprightGrain(const Particle& a, const Particle& b, const Particle& c); // degrees
 void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c);
+
+// Degrees, -90 to 90: by how much the warp is turned from there. Unlike the grain, which is counted
+// from a side of its own panel, it tells a direction on the cloth, the same for all panels.
+double grainTurn(const Panel& panel, const Particle& a, const Particle& b, const Particle& c);
 
 } // namespace ripstop

@@ -3,6 +3,7 @@
 // material.
 #include "select/element_map.h"
 
+#include "derived/flat_panel.h"
 #include "derived/formula.h"
 #include "derived/link_stiffness.h"
 #include "derived/tear_bounds.h"
@@ -77,9 +78,24 @@ std::optional<double> ofItsMaterial(const Scene& scene, const Property& property
     return tear.rule == TearRule::Never ? std::nullopt : std::optional(tear.limit);
 }
 
+// The corners of a panel whose grain is mapped; nothing for other numbers. A grain counts from a
+// side of its own panel, while a map speaks of directions on the cloth.
+std::optional<std::array<const Particle*, 3>>
+cornersOfGrain(const Scene& scene, const Property& property, const ConstRef& element)
+{
+    if (!isOneOf<&Panel::grain>(property))
+        return std::nullopt;
+    const Panel& panel = *std::get<const Panel*>(element);
+    const std::array corners{particleOf(scene, panel.a), particleOf(scene, panel.b),
+                             particleOf(scene, panel.c)};
+    return std::ranges::count(corners, nullptr) > 0 ? std::nullopt : std::optional(corners);
+}
+
 std::optional<double> presentValue(const Scene& scene, const Property& property,
                                    const ConstRef& element)
 {
+    if (const auto at = cornersOfGrain(scene, property, element))
+        return grainTurn(*std::get<const Panel*>(element), *(*at)[0], *(*at)[1], *(*at)[2]);
     const Value value = property.get(element);
     if (const double* number = std::get_if<double>(&value))
         return *number;
@@ -186,14 +202,19 @@ Result<MappedNumbers> mapped(const Scene& scene, const Property& property,
                                                present.value_or(0.0),
                                                picture ? greyAt(*picture, across, up) : 0.0};
         const double number = read->value(at);
-        if (const auto why = refusal(property, number))
+        const auto corners = cornersOfGrain(scene, property, *element);
+        const double stored =
+            corners
+                ? turnedGrain(uprightGrain(*(*corners)[0], *(*corners)[1], *(*corners)[2]), number)
+                : number;
+        if (const auto why = refusal(property, stored))
             return Failure("At %1 %2 the formula gives %3, and %4 %5.", kindName(property.kind),
                            std::uint32_t(id), Message::number("%.4g", number), property.key, *why);
         made.least = made.count == 0 ? number : std::min(made.least, number);
         made.most = made.count == 0 ? number : std::max(made.most, number);
         ++made.count;
         values.targets.push_back(id);
-        values.values.emplace_back(number);
+        values.values.emplace_back(stored);
     }
     if (made.count == 0)
         return Failure("There is no %1 to map.", kindName(property.kind));

@@ -8,6 +8,10 @@
 //               the picture laid over all of them as they lie, along the two longer sides of the
 //               box around them
 //
+// A grain is an angle from the way in which the picture on the fabric goes up, as the brush paints
+// it and as the colours tell it (flat_panel.h), so that one number is one direction on the cloth;
+// `value` is such an angle too, from -90 to 90 degrees.
+//
 // Functions are those of formulas (derived/formula.h); numbers have no units and are SI. So
 // "value * (1 - 0.5 * exp(-(x^2 + z^2) / 0.04))" on tear limits is a place of half the strength.
 #pragma once

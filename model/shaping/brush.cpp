@@ -25,13 +25,6 @@ double distanceToWay(const Vec3& place, const Vec3& from, const Vec3& to) // m
     return (place - from - share * way).norm();
 }
 
-// Degrees, 0 to 180.
-double asGrain(double angle)
-{
-    const double rest = std::fmod(angle, 180.0);
-    return rest < 0.0 ? rest + 180.0 : rest;
-}
-
 } // namespace
 
 void Brush::widen(double factor)
@@ -164,10 +157,10 @@ double BrushStroke::valueOf(const Spot& spot) const
         return spot.from;
     const bool turns = m_brush.what == Painted::Grain;
     const double value = m_brush.value();
-    const double to = turns ? asGrain(spot.upright + (spot.isImage ? -value : value)) : value;
+    const double to = turns ? turnedGrain(spot.upright, spot.isImage ? -value : value) : value;
     if (weight == 1.0)
         return to;
-    return turns ? asGrain(spot.from + weight * std::remainder(to - spot.from, 180.0))
+    return turns ? turnedGrain(spot.from, weight * std::remainder(to - spot.from, 180.0))
                  : spot.from + weight * (to - spot.from);
 }
 

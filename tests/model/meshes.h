@@ -105,6 +105,26 @@ inline std::size_t countOf(const Part& part, LinkRole role)
     return std::size_t(std::ranges::count(part.links, role, &Link::role));
 }
 
+// A sheet of n x n squares of 0.1 m in the plane z = 0, as triangles whose corners lie up to a
+// quarter of a square off, without a texture; faces look along z.
+inline std::string unevenSheet(int n)
+{
+    std::string text;
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i)
+            text += "v " + std::to_string(0.1 * i + 0.025 * std::sin(17.0 * i + 29.0 * j)) + " "
+                    + std::to_string(0.1 * j + 0.025 * std::cos(23.0 * i + 13.0 * j)) + " 0\n";
+    const auto corner = [n](int i, int j) { return " " + std::to_string(j * (n + 1) + i + 1); };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const std::string a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
+                              d = corner(i, j + 1);
+            text += (i + j) % 2 == 0 ? "f" + a + b + c + "\nf" + c + d + a + "\n"
+                                     : "f" + b + c + d + "\nf" + d + a + b + "\n";
+        }
+    return text;
+}
+
 // A sheet of n x n squares of this size, in the plane z = 0, as quads or as triangles.
 inline std::string sheet(int n, double size, bool quads)
 {

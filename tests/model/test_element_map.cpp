@@ -67,7 +67,11 @@ private slots:
         (void)apply(scene, mapped(scene, rest, {Id{5}}, "x + 10 * y + 100 * z")->edit);
         QCOMPARE(numberAt(scene, rest, Id{5}), 1.0 + 20.0 + 300.0);
         (void)apply(scene, mapped(scene, grain, {Id{6}}, "3 * x + 60 * u + 3 * v")->edit);
-        NEAR(numberAt(scene, grain, Id{6}), 3.0 * 1.0 + 60.0 * 0.5 + 1.0, 1e-12);
+        // a grain counts from the side ab, and the map from where the picture goes up: v = 1 at b
+        // and 0 along a and c, so up is across ac
+        const Vec3 ab(2, 4, 6), ac(1, 0, 0);
+        const double up = 90.0 - std::acos(ab.normalized().dot(ac)) / M_PI * 180.0;
+        NEAR(numberAt(scene, grain, Id{6}), std::fmod(180.0 - up + 34.0, 180.0), 1e-9);
     }
 
     // 200 N of the material, and half of that where it is worn. Then it is the link's own.

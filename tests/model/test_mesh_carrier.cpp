@@ -1,11 +1,13 @@
 // What carries the pull of an imported mesh where nobody chose, and that it is as stiff as its
 // cloth: whatever faces it has, wherever they meet, however the texture lies on them.
+#include "author/stability.h"
 #include "check/check.h"
 #include "compile/compile.h"
 #include "derived/flat_panel.h"
 #include "measure/diagnostics.h"
 #include "model/meshes.h"
 #include "registered_test.h"
+#include "select/element_map.h"
 #include "simulation/simulation.h"
 
 #include <QtTest>
@@ -49,6 +51,26 @@ std::string hungStrip(double grain, bool quads)
     return text;
 }
 
+// The warp of each panel, 1 long.
+std::vector<Vec3> warpsOn(const Part& part)
+{
+    std::vector<Vec3> warps;
+    for (const Panel& panel : part.panels) {
+        const auto at = [&](Id id) { return findRow(part.particles, id)->position; };
+        const Vec3 a = at(panel.a), b = at(panel.b), c = at(panel.c);
+        const auto shares = *warpShares(panel, a, b, c);
+        warps.push_back(shares[0] * (b - a) + shares[1] * (c - a));
+    }
+    return warps;
+}
+
+bool allRunAlong(const Part& part, const Vec3& way)
+{
+    return std::ranges::all_of(warpsOn(part), [&](const Vec3& warp) {
+        return warp.cross(way.normalized()).norm() < 1e-9;
+    });
+}
+
 } // namespace
 
 class TestMeshCarrier : public QObject
@@ -90,16 +112,47 @@ private slots:
         QCOMPARE(mesh.report.count(MeshFault::TextureSeams), 2u);
         const Part part = firstPart(sceneOf(mesh, untouchedFabric()));
         QCOMPARE(part.panels.size(), 4u);
+        const std::vector<Vec3> warps = warpsOn(part);
         for (std::size_t i = 0; i < 4; ++i) {
-            const Panel& panel = part.panels[i];
-            const auto at = [&](Id id) { return findRow(part.particles, id)->position; };
-            const Vec3 a = at(panel.a), b = at(panel.b), c = at(panel.c);
-            const auto shares = warpShares(panel, a, b, c);
-            QVERIFY(bool(shares));
-            const Vec3 warp = (*shares)[0] * (b - a) + (*shares)[1] * (c - a);
+            const Vec3 warp = warps[i];
             const Vec3 wanted = i < 2 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 1.0, 0.0).normalized();
             QVERIFY(warp.cross(wanted).norm() < 1e-9);
         }
+    }
+
+    // However uneven the triangles are, an angle is one direction on the cloth: of the import, of a
+    // map, and of the repair where each panel was given the same number, which counts from its own
+    // side. It turns from upright against the clock, as seen from the front.
+    void anAngleIsOneDirection()
+    {
+        const PreparedMesh mesh = preparedOf(meshOf(unevenSheet(6).c_str()));
+        MeshFabric fabric = untouchedFabric();
+        QVERIFY(allRunAlong(firstPart(sceneOf(mesh, fabric)), Vec3::UnitY()));
+        fabric.grain = 30.0;
+        Scene scene = sceneOf(mesh, fabric);
+        QVERIFY(allRunAlong(firstPart(scene), Vec3(-0.5, std::sqrt(0.75), 0.0)));
+        QVERIFY(problemsOf(scene).empty());
+
+        std::vector<Id> panels;
+        for (const Panel& panel : firstPart(scene).panels)
+            panels.push_back(panel.id);
+        const Property& grain = propertyOf<&Panel::grain>();
+        (void)apply(scene, mapped(scene, grain, panels, "value - 75")->edit);
+        QVERIFY(allRunAlong(firstPart(scene), Vec3(1.0, 1.0, 0.0)));
+        (void)apply(scene, mapped(scene, grain, panels, "405")->edit); // once round
+        QVERIFY(allRunAlong(firstPart(scene), Vec3(-1.0, 1.0, 0.0)));
+
+        (void)apply(scene, {{}, {SetValues{&grain, panels, {45.0}}}});
+        QVERIFY(!allRunAlong(firstPart(scene), Vec3(-1.0, 1.0, 0.0)));
+        const auto scattered = [](const std::vector<Finding>& findings) {
+            const auto found = std::ranges::find(findings, "grain", &Finding::sort);
+            return found == findings.end() ? nullptr : &*found;
+        };
+        const std::vector<Finding> problems = problemsOf(scene), findings = stabilityOf(scene);
+        QVERIFY(scattered(problems) && scattered(findings) && scattered(findings)->repair);
+        (void)apply(scene, *scattered(findings)->repair);
+        QVERIFY(allRunAlong(firstPart(scene), Vec3(-1.0, 1.0, 0.0)));
+        QVERIFY(!scattered(problemsOf(scene)));
     }
 
     // What hangs on a side is sewn to it: a coarse half above a fine one, drawn by 500 N/m, has no

@@ -170,8 +170,16 @@ void ImportForm::addFabricRows(QFormLayout& form)
     connect(m_carrier, &QComboBox::currentIndexChanged, this, [this] {
         m_ownCarrier = true;
         m_ownStyle = {};
+        m_grain->setEnabled(m_carrier->currentIndex() == int(FabricKind::Panels));
         emit changed();
     });
+    m_grain = number(-180.0, 180.0, 1, QStringLiteral("\u00b0"));
+    m_grain->setObjectName(QStringLiteral("grain"));
+    addRow(form, tr("Warp turned by"), m_grain,
+           tr("From the way in which the texture of the mesh goes up; without a texture, from "
+              "upright, or from x on what lies level. Of panels only: threads run along the edges "
+              "of the mesh."));
+    connect(m_grain, &QDoubleSpinBox::valueChanged, this, &ImportForm::changed);
     const char* const names[]{"structural", "shear", "bend"};
     const QString labels[]{tr("Along edges"), tr("Across faces"), tr("Over two edges")};
     const QString help[]{
@@ -285,6 +293,7 @@ MeshFabric ImportForm::fabric() const
         fabric.material.arealDensity = fabric.density;
     if (m_ownCarrier)
         fabric.carrier = FabricKind(m_carrier->currentIndex());
+    fabric.grain = m_grain->value();
     fabric.isPerFileMaterial = mayColor() && m_perMaterial->isChecked();
     std::optional<LinkStyle>* const styles[]{&fabric.structural, &fabric.shear, &fabric.bend};
     for (std::size_t i = 0; i < m_styles.size(); ++i)
@@ -339,6 +348,7 @@ void ImportForm::follow(const ImportOutcome& outcome)
     if (!m_ownCarrier) {
         const QSignalBlocker quiet(m_carrier);
         m_carrier->setCurrentIndex(int(outcome.carrier));
+        m_grain->setEnabled(outcome.carrier == FabricKind::Panels);
     }
     const LinkStyle styles[]{outcome.weave.structural, outcome.weave.shear, outcome.weave.bend};
     for (std::size_t i = 0; i < m_styles.size(); ++i)

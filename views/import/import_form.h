@@ -62,6 +62,7 @@ private:
     QCheckBox* m_perMaterial;
     QDoubleSpinBox* m_density;            // g/m^2
     QComboBox* m_carrier = nullptr;       // in the order of FabricKind
+    QDoubleSpinBox* m_grain = nullptr;    // degrees
     std::array<QComboBox*, 3> m_styles{}; // structural, shear, bend
 
     std::vector<Choice> m_choices;

@@ -26,7 +26,6 @@ namespace ripstop {
 namespace {
 
 constexpr Color unknownColor{150, 150, 150};
-constexpr double rounding = 1e-9; // degrees
 
 // Where the elements of the scene are, by id. It is not an array indexed by id, as a file may
 // number its three particles in the billions.
@@ -141,9 +140,7 @@ Look::Warp warpOf(const Scene& scene, const Panel& panel)
     const auto shares = warpShares(panel, a->position, b->position, c->position);
     if (!shares)
         return {};
-    const double turn = std::remainder(panel.grain - uprightGrain(*a, *b, *c), 180.0);
-    // a warp across is the same either way, whatever rounding made of it
-    return {true, *shares, turn < rounding - 90.0 ? turn + 180.0 : turn};
+    return {true, *shares, grainTurn(panel, *a, *b, *c)};
 }
 
 // Light cloth is ripstop, and light falls through it: of 40 g/m^2 seven tenths, of the Dacron of
