@@ -74,6 +74,24 @@ std::function<void()> likening(const Workbench& bench, Alike alike)
     };
 }
 
+// Lines that go on: says so where none does, which would look like an action that does nothing.
+std::function<void()> following(const Workbench& bench)
+{
+    return [&bench] {
+        const Scene& scene = bench.document.scene();
+        const std::vector<Id> before = elementsOf(scene, bench.selection.ids());
+        std::vector<Id> ids = loop(scene, bench.selection.ids());
+        if (ids == before)
+            bench.window.statusBar()->showMessage(
+                tr("No line or edge goes on from here. Select a link, a particle on the edge of "
+                   "the fabric, two of them for the stretch between, or two neighbours along a "
+                   "row of threads."),
+                messageTime);
+        else
+            bench.selection.set(std::move(ids));
+    };
+}
+
 std::function<void()> drawing(const Workbench& bench, RegionTool::Shape shape)
 {
     return [&selection = bench.selection, &viewport = bench.viewport, &actions = bench.actions,
@@ -181,7 +199,7 @@ MenuRows selectRows(const Workbench& bench)
         {"&Select", "grow",      tr("&Grow"),       nullptr,      QKeySequence("Ctrl++"),  tr("Add one ring: the neighbours of particles, the links and panels that touch the selected ones."), from(grown), no, nullptr, some},
         {"&Select", "shrink",    tr("&Shrink"),     nullptr,      QKeySequence("Ctrl+-"),  tr("Take one ring away: whatever has a neighbour that is not selected."), reducing(bench, shrunk), no, nullptr, some},
         {"&Select", "connected", tr("Co&nnected"),  nullptr,      QKeySequence("Ctrl+L"),  tr("Add all that hangs together with the selection by links and panels."), from(connected), no, nullptr, some},
-        {"&Select", "loop",      tr("L&oop or line"), nullptr,    QKeySequence("Ctrl+Shift+L"), tr("Follow the selected links or particles both ways: along a line, along a thread, around an edge."), from(loop), no, nullptr, some},
+        {"&Select", "loop",      tr("L&oop or line"), nullptr,    QKeySequence("Ctrl+Shift+L"), tr("Follow the selected links or particles both ways: along a line, along a thread, around an edge. Of two particles on an edge, the stretch between them."), following(bench), no, nullptr, some},
         {"&Select", "boundary",  tr("Edge o&f fabric"), nullptr,  QKeySequence("Ctrl+Shift+B"), tr("The edge of the selected panels, or of all fabric."), from(boundary)},
         {"&Select/&Turn into", "toParticles", tr("&Particles"), "particle", {}, tr("The particles at the ends of the selected links and the corners of the selected panels."), into(Kind::Particle), no, nullptr, some},
         {"&Select/&Turn into", "toLinks",     tr("&Links"),     "link",     {}, tr("The links between the selected."), into(Kind::Link), no, nullptr, some},

@@ -1,7 +1,8 @@
 // Lines that go on: loop() of select.h. Walker marks links from the selected ones in both
 // directions; at a particle it goes on along the edge of fabric, else to the only other link of
 // the material, else to the straightest within 40 degrees. The marked links then become links or
-// particles, as the selection has them.
+// particles, as the selection has them. Rim does the same for particles of an edge of fabric, along
+// which there need not be any links.
 #include "select/net.h"
 #include "select/select.h"
 
@@ -9,7 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
+#include <queue>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -132,6 +137,107 @@ private:
     std::vector<char> m_walked;  // [links]
 };
 
+// The edge of the fabric as particles, each tied to the next by the side of one panel.
+class Rim
+{
+public:
+    explicit Rim(const Net& net)
+        : m_net(net)
+        , m_nextTo(net.all.particles.size())
+        , m_walked(net.all.particles.size(), 0)
+    {
+        for (const NetSide& side : sidesOf(net))
+            if (side.panels == 1) {
+                m_nextTo[std::size_t(side.low)].push_back(side.high);
+                m_nextTo[std::size_t(side.high)].push_back(side.low);
+            }
+    }
+
+    bool has(int particle) const { return !nextTo(particle).empty(); }
+    bool joins(int a, int b) const { return std::ranges::count(nextTo(a), b) > 0; }
+
+    // Marks what the edge goes on into, all ways, as far as it does not branch.
+    void walkFrom(int particle)
+    {
+        m_walked[std::size_t(particle)] = 1;
+        for (const int first : nextTo(particle)) {
+            int before = particle;
+            int at = first;
+            while (!m_walked[std::size_t(at)]) {
+                m_walked[std::size_t(at)] = 1;
+                if (nextTo(at).size() != 2)
+                    break;
+                before = std::exchange(at, nextTo(at)[nextTo(at)[0] == before ? 1 : 0]);
+            }
+        }
+    }
+
+    // Marks the shortest way from one to the other (Dijkstra 1959). Nothing when they are on edges
+    // that do not meet.
+    void walkBetween(int from, int to)
+    {
+        std::vector<double> length(m_nextTo.size(), std::numeric_limits<double>::infinity());
+        std::vector<int> before(m_nextTo.size(), -1);
+        using Reached = std::pair<double, int>; // m, particle
+        std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
+        length[std::size_t(from)] = 0.0;
+        for (queue.emplace(0.0, from); !queue.empty() && queue.top().second != to;) {
+            const auto [way, at] = queue.top();
+            queue.pop();
+            if (way > length[std::size_t(at)])
+                continue;
+            for (const int next : nextTo(at))
+                if (const double more = way + (place(next) - place(at)).norm();
+                    more < length[std::size_t(next)]) {
+                    length[std::size_t(next)] = more;
+                    before[std::size_t(next)] = at;
+                    queue.emplace(more, next);
+                }
+        }
+        if (before[std::size_t(to)] < 0)
+            return;
+        for (int at = to; at >= 0; at = before[std::size_t(at)])
+            m_walked[std::size_t(at)] = 1;
+    }
+
+    const std::vector<char>& walked() const { return m_walked; } // [particles]
+
+private:
+    const std::vector<int>& nextTo(int particle) const { return m_nextTo[std::size_t(particle)]; }
+    const Vec3& place(int particle) const
+    {
+        return m_net.all.particles[std::size_t(particle)]->position;
+    }
+
+    const Net& m_net;
+    std::vector<std::vector<int>> m_nextTo; // [particles]
+    std::vector<char> m_walked;             // [particles]
+};
+
+std::vector<int> numbersOf(const std::vector<char>& marks)
+{
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < marks.size(); ++i)
+        if (marks[i])
+            numbers.push_back(int(i));
+    return numbers;
+}
+
+// Follows the edge of fabric from particles on it: from two of them that are not neighbours the
+// stretch between them, else on from each. Answers false where it is for links to say, as between
+// two neighbours across the fabric.
+bool followRim(Rim& rim, const std::vector<int>& particles)
+{
+    if (particles.empty() || !std::ranges::all_of(particles, [&](int at) { return rim.has(at); }))
+        return false;
+    if (particles.size() == 2 && !rim.joins(particles[0], particles[1]))
+        rim.walkBetween(particles[0], particles[1]);
+    else
+        for (const int particle : particles)
+            rim.walkFrom(particle);
+    return true;
+}
+
 } // namespace
 
 std::vector<Id> loop(const Scene& scene, const std::vector<Id>& selected)
@@ -140,6 +246,17 @@ std::vector<Id> loop(const Scene& scene, const std::vector<Id>& selected)
     Marks marks(net, scene, selected);
     const auto particles = std::ranges::count(marks.particles, 1);
     const bool hasLinks = std::ranges::find(marks.links, 1) != marks.links.end();
+
+    Rim rim(net);
+    bool joinedAcross = false; // two of the selected particles, by a link within the fabric
+    for (const auto& ends : net.ends)
+        joinedAcross |= net.isWhole(ends) && marks.particles[std::size_t(ends[0])]
+                        && marks.particles[std::size_t(ends[1])] && !rim.joins(ends[0], ends[1]);
+    if (!hasLinks && !joinedAcross && followRim(rim, numbersOf(marks.particles))) {
+        for (const int particle : numbersOf(rim.walked()))
+            marks.particles[std::size_t(particle)] = 1;
+        return marks.ids(net);
+    }
 
     Walker walker(net);
     bool joined = false; // two of the selected particles by a link

@@ -27,7 +27,8 @@ std::vector<Id> inverted(const Scene& scene, const std::vector<Id>& selected);
 // The lines that go on from the selected links, or from selected particles that a link joins: on
 // through a particle where nothing else of the material meets, around the edge of fabric, else
 // straight on, within 40 degrees. A particle alone stands for the edge that it lies on, or for the
-// line that runs through it. The particles of the lines are added where particles are selected,
+// line that runs through it; two on one edge, for the shortest stretch of it between them. The
+// particles of the lines are added where particles are selected,
 // and the links where links are.
 std::vector<Id> loop(const Scene& scene, const std::vector<Id>& selected);
 

@@ -235,6 +235,27 @@ private slots:
         QCOMPARE(loop(s.scene, {s.ropePart().particles[1].id}), idsOf(s.ropePart().particles));
     }
 
+    // An edge is followed along its panels, whether or not links run there; of two particles on it
+    // the shorter stretch is taken, from corner to corner.
+    void loopsFollowEdgesOfPanels()
+    {
+        for (const bool hasLinks : {true, false}) {
+            Sheet s;
+            if (!hasLinks)
+                std::get<Part>(*findItem(s.scene, s.sheet)).links.clear();
+            QCOMPARE(countsOf(s.scene, loop(s.scene, {s.at(0, 3)})), (Counts{4 * (n - 1), 0, 0}));
+            QCOMPARE(countsOf(s.scene, loop(s.scene, sorted({s.at(0, 3), s.at(0, 4)}))),
+                     (Counts{4 * (n - 1), 0, 0}));
+            std::vector<Id> foot, corner;
+            for (int column = 0; column < n; ++column)
+                foot.push_back(s.at(0, column));
+            QCOMPARE(loop(s.scene, {s.at(0, 0), s.at(0, n - 1)}), sorted(foot));
+            QCOMPARE(loop(s.scene, sorted({s.at(0, 1), s.at(1, 0)})),
+                     sorted({s.at(0, 0), s.at(0, 1), s.at(1, 0)}));
+            QCOMPARE(loop(s.scene, {s.at(3, 3)}), std::vector{s.at(3, 3)});
+        }
+    }
+
     void invertedAreTheOthersOfTheKinds()
     {
         const Sheet s;
