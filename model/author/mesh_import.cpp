@@ -289,18 +289,29 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
     } else {
         parts.push_back(std::move(*metres));
     }
+    std::optional<Failure> failure; // of the first object that is left out
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const double count = double(parts.size());
+        const std::string named = parts[i].objects.front();
+        const std::string object = named.empty() ? "#" + std::to_string(i + 1) : named;
         Result<RepairedMesh> surface =
             repaired(std::move(parts[i]), result.weldTolerance,
                      stageOf(progress, double(i) / count, double(i + 1) / count));
-        if (!surface)
-            return surface.failure();
+        if (!surface) {
+            const bool isCancelled = !goesOn(progress, double(i) / count);
+            if (isCancelled || parts.size() == 1)
+                return surface.failure();
+            result.report.addEmptyObject(object);
+            failure = failure ? failure : surface.failure();
+            continue;
+        }
         if (shape.isFlipped)
             turnOver(*surface);
         result.report.add(surface->report);
         result.surfaces.push_back(std::move(*surface));
     }
+    if (result.surfaces.empty())
+        return *failure;
     if (stray > 0)
         result.report.add(MeshFault::StrayElements, stray);
     if (result.size.maxCoeff() > largest || result.size.maxCoeff() < smallest)

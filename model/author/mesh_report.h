@@ -7,6 +7,7 @@
 #include "base/vec3.h"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,10 +27,11 @@ enum class MeshFault {
     OpenEdges,         // of one face: kept, as every sail has them
     SplitPolygons,     // of more than three corners: made triangles
     TextureSeams,      // vertices with several texture points: the picture keeps the first one
+    EmptyObjects,      // without a face that has an area: left out, each by its name
     StrayElements,     // lines and single points of the file: left out
     OddSize            // larger than a hall or smaller than a hand: a wrong unit?
 };
-inline constexpr int meshFaultCount = 15;
+inline constexpr int meshFaultCount = 16;
 
 // "loose_vertices", ...: as scripts know them.
 std::string_view meshFaultName(MeshFault fault);
@@ -46,6 +48,7 @@ struct MeshFinding
     std::size_t of = 0;       // rims of open edges, pieces; for others 0
     std::vector<Vec3> places; // m, of the first few, after scale and axes
     Message told;             // in the place of the table's words, where there is more to say
+    std::string name = {};    // of the first object that was left out
 
     // "28 vertices lie on another one: joined."
     Message text() const;
@@ -58,6 +61,8 @@ public:
     void add(MeshFault fault, std::size_t count);
     void tell(MeshFault fault, Message told); // once
     void add(const MeshReport& other);        // of another object of the same file
+    void addEmptyObject(const std::string& name);
+    void add(const MeshReport& other); // of another object of the same file
     void setOf(MeshFault fault, std::size_t of) { m_findings[std::size_t(fault)].of = of; }
 
     // How often; 0 for what is not wrong.

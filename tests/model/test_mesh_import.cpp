@@ -273,6 +273,28 @@ private slots:
         QVERIFY(problemsOf(many).empty());
     }
 
+    // An object whose faces have no area is left out and named, and the others come in; where all
+    // are so, the mesh is refused.
+    void objectsWithoutAreaAreLeftOut()
+    {
+        const QByteArray line = "o batten\nv 5 0 0\nv 6 0 0\nv 7 0 0\n";
+        const QByteArray both = QByteArray(cubeOfQuads) + line + "f 9 10 11\n";
+        MeshShape shape;
+        shape.parts = MeshParts::PerObject;
+        const PreparedMesh mesh = preparedOf(meshOf(both.constData()), shape);
+        const Scene scene = sceneOf(mesh);
+        std::size_t parts = 0;
+        forEachPart(scene, [&](Id, const Part&) { ++parts; });
+        QCOMPARE(parts, 1u);
+        QCOMPARE(mesh.report.count(MeshFault::EmptyObjects), 1u);
+        const std::vector<MeshFinding> findings = mesh.report.findings();
+        QVERIFY(std::ranges::any_of(findings, [](const MeshFinding& finding) {
+            return finding.text().english().find("batten") != std::string::npos;
+        }));
+        const PolygonMesh flat = meshOf((line + "f 1 2 3\no boom\nf 3 2 1\n").constData());
+        QVERIFY(!prepared(flat, shape));
+    }
+
     // Red and blue panels: two materials with their colours, or one for all.
     void materialsOfTheFile()
     {
