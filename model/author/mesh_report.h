@@ -60,7 +60,6 @@ public:
     void add(MeshFault fault, const Vec3& place, std::size_t count = 1);
     void add(MeshFault fault, std::size_t count);
     void tell(MeshFault fault, Message told); // once
-    void add(const MeshReport& other);        // of another object of the same file
     void addEmptyObject(const std::string& name);
     void add(const MeshReport& other); // of another object of the same file
     void setOf(MeshFault fault, std::size_t of) { m_findings[std::size_t(fault)].of = of; }

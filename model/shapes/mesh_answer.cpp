@@ -23,9 +23,9 @@ template <>
 inline constexpr auto fieldsOf<PolygonMesh> =
     fields<PolygonMesh, &PolygonMesh::points, &PolygonMesh::first, &PolygonMesh::corners,
            &PolygonMesh::texture, &PolygonMesh::object, &PolygonMesh::material,
-           &PolygonMesh::objects, &PolygonMesh::materials, &PolygonMesh::pictures,
-           &PolygonMesh::lines, &PolygonMesh::mass, &PolygonMesh::unit, &PolygonMesh::isUpright,
-           &PolygonMesh::strayElements>;
+           &PolygonMesh::objects, &PolygonMesh::materials, &PolygonMesh::materialFiles,
+           &PolygonMesh::pictures, &PolygonMesh::lines, &PolygonMesh::mass, &PolygonMesh::unit,
+           &PolygonMesh::isUpright, &PolygonMesh::strayElements>;
 
 namespace {
 

@@ -21,6 +21,8 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <sstream>
 #include <utility>
 
 namespace ripstop {
@@ -96,6 +98,43 @@ Result<std::string> contentOf(const std::filesystem::path& file)
     return text;
 }
 
+// A file that a mesh names, in its folder or below; nothing where it is not there. A mesh of
+// strangers has nothing to say about files elsewhere.
+std::optional<std::filesystem::path> fileBelow(const std::filesystem::path& folder,
+                                               const std::filesystem::path& name)
+{
+    const std::filesystem::path plain = name.lexically_normal();
+    std::error_code error;
+    if (plain.empty() || plain.has_root_path() || *plain.begin() == ".."
+        || !std::filesystem::is_regular_file(folder / plain, error))
+        return std::nullopt;
+    return folder / plain;
+}
+
+// Those that an OBJ names (mtllib), by a line with blanks in a name or with several names; where
+// none of them is there, that of its own name.
+std::vector<std::filesystem::path> materialFilesOf(const PolygonMesh& mesh,
+                                                   const std::filesystem::path& file)
+{
+    std::vector<std::filesystem::path> found;
+    const auto take = [&](const std::string& name) {
+        const auto place = fileBelow(file.parent_path(), name);
+        if (place)
+            found.push_back(*place);
+        return place.has_value();
+    };
+    for (const std::string& line : mesh.materialFiles) {
+        if (take(line))
+            continue;
+        std::istringstream words(line);
+        for (std::string word; words >> word;)
+            take(word);
+    }
+    if (found.empty())
+        take(file.filename().replace_extension(".mtl").string());
+    return found;
+}
+
 Result<PolygonMesh> readObjFile(const std::filesystem::path& file, const Progress& progress)
 {
     const Result<std::string> text = contentOf(file);
@@ -103,11 +142,10 @@ Result<PolygonMesh> readObjFile(const std::filesystem::path& file, const Progres
         return text.failure();
     Result<PolygonMesh> mesh = readObj(*text, file.string(), progress);
     // A missing or broken file of materials is no reason to refuse the mesh.
-    const std::filesystem::path colors = std::filesystem::path(file).replace_extension(".mtl");
-    std::error_code error;
-    if (mesh && std::filesystem::is_regular_file(colors, error))
-        if (const Result<std::string> list = contentOf(colors))
-            readMtl(*list, *mesh);
+    if (mesh)
+        for (const std::filesystem::path& colors : materialFilesOf(*mesh, file))
+            if (const Result<std::string> list = contentOf(colors))
+                readMtl(*list, *mesh);
     return mesh;
 }
 

@@ -94,6 +94,8 @@ private:
             startObject(keyword == "o", rest(line));
         else if (keyword == "usemtl")
             useMaterial(rest(line));
+        else if (keyword == "mtllib")
+            m_mesh.materialFiles.push_back(rest(line));
     }
 
     void addPoint(std::string_view line)

@@ -43,20 +43,21 @@ struct PolygonMesh
         std::string file;  // where it is to be written, absolute; empty where it cannot be drawn
     };
 
-    std::vector<Vec3> points;              // [points] in the unit of the file
-    std::vector<int> first{0};             // [faces + 1] where the corners of each face begin
-    std::vector<int> corners;              // [corners] indices of points
-    std::vector<TexturePoint> texture;     // [corners], or empty
-    std::vector<int> object;               // [faces] index into `objects`
-    std::vector<int> material;             // [faces] index into `materials`
-    std::vector<std::string> objects;      // names
-    std::vector<Material> materials;       // names and colours
-    std::vector<PackedPicture> pictures;   // that lie within the file
-    std::vector<std::array<int, 2>> lines; // [lines] the points that each ties, beside the faces
-    std::vector<double> mass;              // [points] kg, or empty when the file does not say
-    std::optional<double> unit;            // m, when the format or the file says
-    bool isUpright = false;                // y is up, because the format or the file says so
-    std::size_t strayElements = 0;         // other lines and single points, which are left out
+    std::vector<Vec3> points;               // [points] in the unit of the file
+    std::vector<int> first{0};              // [faces + 1] where the corners of each face begin
+    std::vector<int> corners;               // [corners] indices of points
+    std::vector<TexturePoint> texture;      // [corners], or empty
+    std::vector<int> object;                // [faces] index into `objects`
+    std::vector<int> material;              // [faces] index into `materials`
+    std::vector<std::string> objects;       // names
+    std::vector<Material> materials;        // names and colours
+    std::vector<std::string> materialFiles; // that the file names, as its lines have them
+    std::vector<PackedPicture> pictures;    // that lie within the file
+    std::vector<std::array<int, 2>> lines;  // [lines] the points that each ties, beside the faces
+    std::vector<double> mass;               // [points] kg, or empty when the file does not say
+    std::optional<double> unit;             // m, when the format or the file says
+    bool isUpright = false;                 // y is up, because the format or the file says so
+    std::size_t strayElements = 0;          // other lines and single points, which are left out
 
     std::size_t faceCount() const { return first.size() - 1; }
     std::span<const int> face(std::size_t i) const

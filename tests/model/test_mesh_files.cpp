@@ -193,6 +193,31 @@ private slots:
         QCOMPARE(surface.mesh.lines.size(), 1u);
     }
 
+    // The file of materials that the mesh names, in its folder or below, whatever it is called;
+    // with blanks in its name or several on a line. Where none is there, that of the mesh's own
+    // name, and never one elsewhere.
+    void materialsAreInTheFileThatIsNamed()
+    {
+        QVERIFY(QDir(m_folder.path()).mkpath("sails/my colours"));
+        write("sails/my colours/red one.mtl", "newmtl a\nKd 1 0 0\n");
+        write("sails/green.mtl", "newmtl a\nKd 0 1 0\n");
+        write("sails/own.mtl", "newmtl a\nKd 0 0 1\n");
+        write("outside.mtl", "newmtl a\nKd 1 1 1\n");
+        const auto colorOf = [&](const QByteArray& named) {
+            return fileOf("sails/own.obj", named + "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+                .materials.front()
+                .color;
+        };
+        QCOMPARE(colorOf("mtllib my colours/red one.mtl\n"), std::string("#ff0000"));
+        QCOMPARE(colorOf("mtllib green.mtl none.mtl\n"), std::string("#00ff00"));
+        QCOMPARE(colorOf("mtllib none.mtl\n"), std::string("#0000ff"));
+        QCOMPARE(colorOf("mtllib ../outside.mtl\n"), std::string("#0000ff"));
+        QCOMPARE(colorOf("mtllib my colours/../../outside.mtl\n"), std::string("#0000ff"));
+        QCOMPARE(colorOf("mtllib " + m_folder.filePath("outside.mtl").toUtf8() + "\n"),
+                 std::string("#0000ff"));
+        QCOMPARE(colorOf(""), std::string("#0000ff"));
+    }
+
     void refusals_data()
     {
         QTest::addColumn<QString>("name");
