@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <optional>
 #include <span>
 
@@ -91,6 +92,9 @@ int refuseFilesBeside(const ExportOptions& options, const Scene& scene, const Fi
                         Message("%1 is written beside %2, and is there already; it is not from "
                                 "Ripstop, and would be lost: give the target another name.",
                                 file.string(), options.output));
+        if (std::error_code error; std::filesystem::exists(file, error))
+            std::cerr << "ripstop-cli: note: " << file.string() << " is there, and is written anew "
+                      << "beside " << options.output << ".\n";
     }
     return Done;
 }

@@ -1,6 +1,7 @@
-// of() refuses a series whose panels change their ids, then lays vertices for the corners of the
-// panels of the last layout, and after them for the ends of its lines. vertexAt() shares a vertex
-// among all that stay whole and gives a new one to each corner that may go. The first frame gives
+// of() refuses a series whose panels change their ids, then lays vertices for the particles of the
+// last layout that addParticles() finds to stay, and after them for the corners of its panels and
+// the ends of its lines that do not. vertexAt() shares a vertex among all that stay whole and gives
+// a new one to each corner that may go. The first frame gives
 // the surface its positions.
 //
 // positions() fills the vertices for one frame. followLinks() finds the links of the last layout in
@@ -54,6 +55,7 @@ Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const MeshAppearance& a
     mesh.m_vertexOf.assign(last.particleId.size(), -1);
     mesh.m_surface.name = appearance.name();
     mesh.m_surface.fabrics = appearance.fabrics();
+    mesh.addParticles(spool, appearance);
     for (std::size_t i = 0; i < last.panelCorners.size(); ++i) {
         std::array<int, 3> corners{};
         for (const std::size_t k : {0u, 1u, 2u})
@@ -72,7 +74,7 @@ Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const MeshAppearance& a
              mesh.vertexAt(std::size_t(link.b), {Source::Of::Link, i, 1, mayGo})});
         mesh.m_surface.lineFabric.push_back(appearance.fabricOf(link.id));
     }
-    if (mesh.m_vertices.empty())
+    if (mesh.m_surface.panels.empty() && mesh.m_surface.lines.empty())
         return Failure{"The scene has neither fabric nor lines, so there is nothing to show."};
 
     const auto first = mesh.positions(spool, 0);
@@ -88,6 +90,31 @@ Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const MeshAppearance& a
             mesh.m_surface.texture.push_back(appearance.textureOf(id));
     takePrints(mesh.m_surface, appearance, ids);
     return mesh;
+}
+
+// A vertex for each particle, in their order, but for those of which all that they hold may go.
+void ConstantMesh::addParticles(const FrameSpool& spool, const MeshAppearance& appearance)
+{
+    const std::size_t count = m_last->particleId.size();
+    std::vector<std::optional<Source>> staying(count);
+    std::vector<char> isHeld(count, 0);
+    const auto take = [&](int particle, const Source& source) {
+        isHeld[std::size_t(particle)] = 1;
+        if (!source.mayGo)
+            staying[std::size_t(particle)] = source;
+    };
+    for (std::size_t i = 0; i < m_last->panelCorners.size(); ++i)
+        for (const std::size_t k : {0u, 1u, 2u})
+            take(m_last->panelCorners[i][k], {Source::Of::Panel, i, k, spool.everGone()[i] != 0});
+    for (std::size_t i = 0; i < m_last->links.size(); ++i)
+        if (const Layout::Link& link = m_last->links[i]; appearance.isLine(link.id))
+            for (const std::size_t k : {0u, 1u})
+                take(k == 0 ? link.a : link.b, {Source::Of::Link, i, k, spool.everTorn()[i] != 0});
+    for (std::size_t i = 0; i < count; ++i)
+        if (!isHeld[i])
+            (void)vertexAt(i, {Source::Of::Particle, i, 0, false});
+        else if (staying[i])
+            (void)vertexAt(i, *staying[i]);
 }
 
 // Particles of what stays are shared, as in the design.
@@ -108,6 +135,12 @@ std::size_t ConstantMesh::particleOf(const Layout& layout, const Source& source)
 {
     if (source.of == Source::Of::Panel)
         return std::size_t(layout.panelCorners[source.element][source.corner]);
+    if (source.of == Source::Of::Particle) { // which tears, that add particles, do not split
+        const auto& ids = layout.particleId;
+        const std::uint32_t id = m_last->particleId[source.element];
+        const bool isThere = source.element < ids.size() && ids[source.element] == id;
+        return isThere ? source.element : std::size_t(std::ranges::find(ids, id) - ids.begin());
+    }
     const Layout::Link& link =
         layout.links[&layout == m_last ? source.element : m_linkAt[source.element]];
     return std::size_t(source.corner == 0 ? link.a : link.b);

@@ -3,6 +3,11 @@
 // The mesh is the last one of the series. Where it has split there, earlier frames have the corners
 // of both sides in one place. Panels that are gone in the end have corners of their own, so that
 // they can shrink to a point when they go; so have lines that break.
+//
+// Vertices are the particles in their order, as in the mesh of a single moment (surface.h), and
+// then the corners and ends that may go. So of a flight without tears vertex i is particle i, and
+// of an imported mesh of which nothing was joined or left out vertex i of its file. A particle of
+// which all panels and lines go is no vertex.
 #pragma once
 
 #include "base/result.h"
@@ -26,15 +31,17 @@ public:
     Result<std::vector<Eigen::Vector3f>> positions(FrameSpool& spool, std::size_t frame);
 
 private:
-    // A corner of a panel or an end of a link, where a vertex lies in every frame.
+    // A corner of a panel or an end of a link, where a vertex lies in every frame, or a particle
+    // that is neither.
     struct Source
     {
-        enum class Of { Panel, Link } of;
+        enum class Of { Panel, Link, Particle } of;
         std::size_t element; // index in the last layout
         std::size_t corner;
         bool mayGo; // then the vertex is no one else's
     };
 
+    void addParticles(const FrameSpool& spool, const MeshAppearance& appearance);
     int vertexAt(std::size_t particle, const Source& source);
     std::size_t particleOf(const Layout& layout, const Source& source) const;
     std::optional<Failure> followLinks(const Layout& layout, double time);

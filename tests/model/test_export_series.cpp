@@ -226,6 +226,51 @@ private slots:
             QVERIFY((place(1, i) - mean).norm() < 1e-6);
     }
 
+    // Vertex i of a cache is vertex i of the mesh of a moment, which is particle i, in whatever
+    // order panels name the particles, and also where one is loose: caches go onto that mesh.
+    void cachesHaveTheOrderOfTheMesh_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<int>("order");
+        QTest::addColumn<qsizetype>("header");
+        QTest::newRow("PC2") << "pc2" << int(QSysInfo::LittleEndian) << qsizetype(32);
+        QTest::newRow("MDD") << "mdd" << int(QSysInfo::BigEndian) << qsizetype(8 + 2 * 4);
+    }
+    void cachesHaveTheOrderOfTheMesh()
+    {
+        QFETCH(QString, ending);
+        QFETCH(int, order);
+        QFETCH(qsizetype, header);
+        Scene scene = kite();
+        Part& part = std::get<Part>(scene.items.front().item);
+        std::ranges::reverse(part.panels);
+        std::ranges::rotate(part.links, part.links.begin() + 1);
+        part.particles.insert(part.particles.begin(), {.id = Id{10}, .position = {7, 8, 9}});
+        QTemporaryDir folder;
+        const Frame start = *startOf(scene);
+        const MeshAppearance appearance(scene);
+        QVERIFY(!writeMoment(start, appearance, folder.filePath("one.obj").toStdString()));
+        Frame end = start;
+        end.time = 0.04;
+        QVERIFY(!writeSeries(std::array{start, end}, appearance,
+                             folder.filePath("kite." + ending).toStdString()));
+        const QByteArray bytes = contentOf(folder.filePath("kite." + ending));
+        QCOMPARE(bytes.size(), header + qsizetype(2 * 6 * 12));
+        for (const char* name : {"one.obj", "kite.obj"}) {
+            const Result<PolygonMesh> mesh =
+                readPolygonFile(folder.filePath(name).toStdString(), {});
+            QVERIFY(mesh);
+            QCOMPARE(mesh->points.size(), part.particles.size());
+            for (std::size_t i = 0; i < mesh->points.size(); ++i) {
+                QCOMPARE(mesh->points[i], part.particles[i].position);
+                for (qsizetype axis = 0; axis < 3; ++axis)
+                    QCOMPARE(double(numberAt<float>(bytes, header + qsizetype(i) * 12 + 4 * axis,
+                                                    QSysInfo::Endian(order))),
+                             part.particles[i].position[axis]);
+            }
+        }
+    }
+
     // Fabric that a tear has split has both sides from the start, in one place.
     void splitFromTheStart()
     {
