@@ -24,6 +24,8 @@
 namespace ripstop {
 namespace {
 
+constexpr double unflownSeconds = 10.0; // s, of a flight that nobody has seen yet
+
 QDoubleSpinBox* seconds(double value)
 {
     auto* box = new QDoubleSpinBox;
@@ -83,7 +85,7 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
     , m_target(new QLineEdit)
     , m_source(new QComboBox)
     , m_from(seconds(0.0))
-    , m_to(seconds(m_now && m_now->time > 0.0 ? m_now->time : 10.0))
+    , m_to(seconds(m_now && m_now->time > 0.0 ? m_now->time : unflownSeconds))
     , m_fps(new QDoubleSpinBox)
     , m_speed(new QDoubleSpinBox)
     , m_again(new QCheckBox(tr("Do again what the pilot and your hands did")))
@@ -115,6 +117,9 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
         connect(box, &QSpinBox::valueChanged, this, &ExportDialog::showPreview);
     connect(m_source, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseSource);
     connect(&m_watch, &QTimer::timeout, this, &ExportDialog::watch);
+    // a recording that ended where it began is one moment and no flight
+    if (m_recording && !(RecordedFrames(m_recording).end() > RecordedFrames(m_recording).begin()))
+        m_source->setCurrentIndex(m_source->count() - 1);
     chooseSource();
     if (matter.range) {
         m_from->setValue(matter.range->first);
@@ -263,6 +268,8 @@ void ExportDialog::chooseSource()
     } else {
         for (QDoubleSpinBox* box : {m_from, m_to})
             box->setRange(0.0, 100000.0);
+        if (m_to->value() <= m_from->value()) // as after a recording of one moment
+            m_to->setValue(m_from->value() + unflownSeconds);
     }
     chooseFormat();
 }

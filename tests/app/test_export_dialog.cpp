@@ -4,8 +4,11 @@
 // was; and without one the dialog offers no choice.
 #include "app/window_shop.h"
 #include "bundle/bundle.h"
+#include "compile/compile.h"
 #include "files/export_dialog.h"
 #include "model/cli_call.h"
+#include "recording/recorder.h"
+#include "simulation/simulation.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -105,6 +108,29 @@ private slots:
         const Outcome flown = call({"run", file, "--json"});
         QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
         QCOMPARE(flown.json()["hash"].toString().toStdString(), bundle->manifest.hashAtEnd);
+    }
+
+    // A recording that ended where it began, as of a run that got no further than its start, is one
+    // moment, of which no flight can be made: it is simulated, for as long as one likes.
+    void aMomentIsNoFlight()
+    {
+        ExportShop shop;
+        Simulation simulation(*compile(shop.document.scene()));
+        Recorder recorder;
+        recorder.loaded(simulation, {std::make_shared<const Scene>(shop.document.scene()), {}});
+        QVERIFY(recorder.beforeStep(simulation));
+        shop.recording = recorder.recording();
+        QVERIFY(shop.recording->frameCount() > 0);
+        shop.open(true);
+        shop.choose("Table of the probes, CSV");
+        auto* source = shop.dialog->findChild<QComboBox*>("source");
+        QVERIFY(source->currentText().startsWith("Simulated anew"));
+        QVERIFY(shop.number("to").value() > 0.0);
+        QVERIFY(shop.number("to").maximum() > 100.0);
+        source->setCurrentIndex(0); // and back
+        QCOMPARE(shop.number("to").value(), 0.0);
+        source->setCurrentIndex(1);
+        QVERIFY(shop.number("to").value() > 0.0);
     }
 
     // What is typed names the format, and stays when another one is chosen after it.
