@@ -1,18 +1,20 @@
 // Stages: a row for each builder comes from the table of builders, with a line between families,
-// so that a new builder needs nothing here. Shop holds the two actions on a part that a builder
-// made: building it again with other parameters, and detaching it, for which it first says what is
-// lost.
+// so that a new builder needs nothing here; then rows for what else a design is made of, as the
+// outline adds it. Shop holds the two actions on a part that a builder made: building it again with
+// other parameters, and detaching it, for which it first says what is lost.
 #include "actions/menu_rows.h"
 
 #include "actions/workbench.h"
 #include "author/rebuild.h"
 #include "builders/builder.h"
 #include "dialogs/builder_dialog.h"
+#include "docks/docks.h"
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "files/arrivals.h"
+#include "outline/outline.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 
@@ -128,6 +130,19 @@ MenuRows insertRows(const Workbench& bench)
                         translated(builder.help),
                         [&arrivals, name = text(builder.name)] { arrivals.insert(name); }});
     }
+    rows.push_back(lineIn("&Insert"));
+    auto& outline = bench.docks.panel<Outline>();
+    const auto add = [&outline](Kind kind) { return [&outline, kind] { outline.addNew(kind); }; };
+    // clang-format off
+    const MenuRows items{
+        {"&Insert", "addWind",     tr("Wind"),     "wind",     {}, tr("Add a wind: the same everywhere, growing with the height, gusty or a jet."), add(Kind::Wind)},
+        {"&Insert", "addControl",  tr("Control"),  "control",  {}, tr("Add a control, with which keys or a track move what is selected."), add(Kind::Control)},
+        {"&Insert", "addProbe",    tr("Probe"),    "probe",    {}, tr("Add a probe, which measures what is selected while it flies."), add(Kind::Probe)},
+        {"&Insert", "addPlot",     tr("Plot"),     "plot",     {}, tr("Add a plot of probes over time."), add(Kind::Plot)},
+        {"&Insert", "addMaterial", tr("Material"), "material", {}, tr("Add a material, for panels and links."), add(Kind::Material)},
+    };
+    // clang-format on
+    rows.insert(rows.end(), items.begin(), items.end());
     const Shop shop(bench);
     rows.push_back(lineIn("&Insert"));
     rows.push_back({"&Insert", "parameters", tr("Change &parameters\u2026"), "settings",

@@ -335,6 +335,26 @@ private slots:
         QCOMPARE(shop.count(), rope);
     }
 
+    // What is no part stands in the menu as well, where people look for a wind.
+    void addsWhatIsNoPart()
+    {
+        Shop shop(built("cloth"));
+        for (const auto& [id, kind] : {std::pair{"addWind", Kind::Wind},
+                                       {"addControl", Kind::Control},
+                                       {"addProbe", Kind::Probe},
+                                       {"addPlot", Kind::Plot},
+                                       {"addMaterial", Kind::Material}}) {
+            const Scene before = shop.document.scene();
+            shop.window.actions()[id]->trigger();
+            QCOMPARE(shop.document.scene().items.size(), before.items.size() + 1);
+            const Entry& made = shop.document.scene().items.back();
+            QVERIFY(kindOf(*find(shop.document.scene(), made.id)) == kind);
+            QCOMPARE(shop.selection.ids(), std::vector{made.id});
+            shop.document.history().undo();
+            QVERIFY(shop.document.scene().items == before.items);
+        }
+    }
+
     void refusesWithASentence()
     {
         Shop shop(built("rope"));

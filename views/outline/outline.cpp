@@ -183,11 +183,11 @@ void Outline::buildAddMenu()
                                   [this, i] { addCollider(ColliderShape(i)); });
             continue;
         }
-        m_addMenu->addAction(iconOf(kind), kindLabel(kind), this, [this, kind] {
-            add(kind, newItem(m_document.scene(), kind, m_selection.ids()));
-        });
+        m_addMenu->addAction(iconOf(kind), kindLabel(kind), this, [this, kind] { addNew(kind); });
     }
 }
+
+void Outline::addNew(Kind kind) { add(kind, newItem(m_document.scene(), kind, m_selection.ids())); }
 
 // A mesh is nothing without its file, and would only be an error in the list of problems.
 void Outline::addCollider(ColliderShape shape)

@@ -34,6 +34,7 @@ public:
     Outline(Document& document, Selection& selection, QWidget* parent = nullptr);
 
     QMenu* addMenu() const { return m_addMenu; } // one action per kind of item that can be added
+    void addNew(Kind kind); // one of addableKinds that is no collider, and selects it
     void renameCurrent();
     void removeSelected(); // asks when more goes than what is selected
     void focusSearch();
