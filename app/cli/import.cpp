@@ -114,13 +114,13 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
         if (choiceNames<FabricKind>[std::size_t(kind)] == options.fabric)
             fabric.carrier = kind;
     fabric.grain = options.grain.value_or(0.0);
-    if (options.grain && carrierOf(fabric) != FabricKind::Panels)
-        return Failure{"--grain turns the warp of panels, and threads run along the edges of the "
-                       "mesh: leave it out, or choose --fabric panels."};
     fabric.structural = styleCalled(options.structural);
     fabric.shear = styleCalled(options.shear);
     fabric.bend = styleCalled(options.bend);
     fabric.bendStiffness = options.bendStiffness.value_or(0.0);
+    if (options.grain && carrierOf(fabric) != FabricKind::Panels)
+        return Failure{"--grain turns the warp of panels, and threads run along the edges of the "
+                       "mesh: leave it out, or choose --fabric panels."};
     return fabric;
 }
 
