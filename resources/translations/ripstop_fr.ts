@@ -2544,6 +2544,41 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>l’air sur la toile</translation>
     </message>
     <message>
+        <location filename="fabric_findings.cpp"/>
+        <source>%1 threads carry the pull of fabric that panels carry as well.</source>
+        <translation>%1 fils portent la traction d’un tissu que des panneaux portent aussi.</translation>
+    </message>
+    <message>
+        <location filename="fabric_findings.cpp"/>
+        <source>1 thread carries the pull of fabric that panels carry as well.</source>
+        <translation>1 fil porte la traction d’un tissu que des panneaux portent aussi.</translation>
+    </message>
+    <message>
+        <location filename="fabric_findings.cpp"/>
+        <source>All panels of a fabric have one grain, which each counts from its own side ab, so that warps lie up to %1 degrees apart.</source>
+        <translation>Tous les panneaux d’un tissu ont le même droit-fil, que chacun compte depuis son propre côté ab, si bien que les chaînes s’écartent de jusqu’à %1 degrés.</translation>
+    </message>
+    <message>
+        <location filename="fabric_findings.cpp"/>
+        <source>Make threads of its sides</source>
+        <translation>Faire des fils de ses côtés</translation>
+    </message>
+    <message>
+        <location filename="fabric_findings.cpp"/>
+        <source>Remove the threads</source>
+        <translation>Supprimer les fils</translation>
+    </message>
+    <message>
+        <location filename="fabric_findings.cpp"/>
+        <source>The fabric of %1 parts pulls by threads and has none, so that nothing holds it together.</source>
+        <translation>Le tissu de %1 pièces tire par des fils et n’en a pas, si bien que rien ne le tient.</translation>
+    </message>
+    <message>
+        <location filename="fabric_findings.cpp"/>
+        <source>The fabric of 1 part pulls by threads and has none, so that nothing holds it together.</source>
+        <translation>Le tissu d’une pièce tire par des fils et n’en a pas, si bien que rien ne le tient.</translation>
+    </message>
+    <message>
         <location filename="fabric_picture.cpp"/>
         <source>Material %1 is drawn without its picture: %2</source>
         <translation>Le matériau %1 est dessiné sans son image : %2</translation>
@@ -3800,6 +3835,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
+        <source>From the way in which the texture of the mesh goes up; without a texture, from upright, or from x on what lies level. Of panels only: threads run along the edges of the mesh.</source>
+        <translation>Depuis le sens dans lequel la texture du maillage monte ; sans texture, depuis la verticale, ou depuis x sur ce qui est à plat. Des panneaux seulement : les fils suivent les arêtes du maillage.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
         <source>Inches</source>
         <translation>Pouces</translation>
     </message>
@@ -3950,6 +3990,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
+        <source>Warp turned by</source>
+        <translation>Chaîne tournée de</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
         <source>What the part will be called.</source>
         <translation>Comment la pièce s’appellera.</translation>
     </message>
@@ -4012,6 +4057,31 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="insert_rows.cpp"/>
         <source>&amp;Insert</source>
         <translation>&amp;Insertion</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Add a control, with which keys or a track move what is selected.</source>
+        <translation>Ajouter une commande, par laquelle des touches ou une piste déplacent la sélection.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Add a material, for panels and links.</source>
+        <translation>Ajouter un matériau, pour panneaux et liaisons.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Add a plot of probes over time.</source>
+        <translation>Ajouter un graphe de sondes en fonction du temps.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Add a probe, which measures what is selected while it flies.</source>
+        <translation>Ajouter une sonde, qui mesure la sélection pendant le vol.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Add a wind: the same everywhere, growing with the height, gusty or a jet.</source>
+        <translation>Ajouter un vent : le même partout, croissant avec la hauteur, en rafales ou en jet.</translation>
     </message>
     <message>
         <location filename="insert_rows.cpp"/>
@@ -5456,6 +5526,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
+        <source>%2 objects, %1 the first, have no face with an area: left out.</source>
+        <translation>%2 objets, dont %1 le premier, n’ont aucune face d’aire non nulle : écartés.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
         <source>1 closed piece was inside out: turned over.</source>
         <translation>1 morceau fermé était à l’envers : retourné.</translation>
     </message>
@@ -5493,6 +5568,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_report.cpp"/>
         <source>1 line or single point of the file was left out.</source>
         <translation>1 ligne ou point isolé du fichier a été omis.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 object, %1, has no face with an area: left out.</source>
+        <translation>1 objet, %1, n’a aucune face d’aire non nulle : écarté.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
@@ -5618,6 +5698,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="network_check.cpp"/>
         <source>%1 of %2 joins two particles that are joined already.</source>
         <translation>%1 de %2 joint deux particules déjà jointes.</translation>
+    </message>
+    <message>
+        <location filename="network_check.cpp"/>
+        <source>The fabric of %1 pulls by threads and has none, so that nothing holds it together: have panels carry its pull (carrier=panels), or make threads of the sides of its panels (ripstop-cli convert --fabric threads).</source>
+        <translation>Le tissu de %1 tire par des fils et n’en a pas, si bien que rien ne le tient : faites porter sa traction par les panneaux (carrier=panels), ou faites des fils des côtés de ses panneaux (ripstop-cli convert --fabric threads).</translation>
     </message>
     <message>
         <location filename="new_file.cpp"/>
@@ -8162,6 +8247,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Ce qui est montré n’est pas une simulation du modèle tel qu’il est : corriger ses problèmes, ou attendre le pas suivant.</translation>
     </message>
     <message>
+        <location filename="scattered_warps.cpp"/>
+        <source>Turn warps one way</source>
+        <translation>Tourner les chaînes dans un seul sens</translation>
+    </message>
+    <message>
         <location filename="scene_difference.cpp"/>
         <source>%1 (%2 particles, %3 links, %4 panels)</source>
         <translation>%1 (%2 particules, %3 liaisons, %4 panneaux)</translation>
@@ -8473,8 +8563,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="select_rows.cpp"/>
-        <source>Follow the selected links or particles both ways: along a line, along a thread, around an edge.</source>
-        <translation>Suivre les liaisons ou particules sélectionnées dans les deux sens : une ligne, un fil, un bord.</translation>
+        <source>Follow the selected links or particles both ways: along a line, along a thread, around an edge. Of two particles on an edge, the stretch between them.</source>
+        <translation>Suivre les liaisons ou particules sélectionnés dans les deux sens : le long d’une ligne, d’un fil, autour d’un bord. De deux particules sur un bord, le tronçon entre elles.</translation>
     </message>
     <message>
         <location filename="select_rows.cpp"/>
@@ -8500,6 +8590,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="select_rows.cpp"/>
         <source>Mouse ta&amp;kes</source>
         <translation>La souris pren&amp;d</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>No line or edge goes on from here. Select a link, a particle on the edge of the fabric, two of them for the stretch between, or two neighbours along a row of threads.</source>
+        <translation>Aucune ligne et aucun bord ne continue d’ici. Sélectionnez une liaison, une particule au bord du tissu, deux d’entre elles pour le tronçon entre elles, ou deux voisines le long d’une rangée de fils.</translation>
     </message>
     <message>
         <location filename="select_rows.cpp"/>
@@ -9143,11 +9238,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>%1 threads carry the pull of fabric that panels carry as well.</source>
-        <translation>%1 fils portent la traction d’un tissu que des panneaux portent aussi.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
         <source>1 free particle has no mass.</source>
         <translation>1 particule libre n’a pas de masse.</translation>
     </message>
@@ -9185,11 +9275,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="stability.cpp"/>
         <source>1 particle needs a shorter substep than %1 s, down to %2 s.</source>
         <translation>1 particule demande un sous-pas plus court que %1 s, jusqu’à %2 s.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 thread carries the pull of fabric that panels carry as well.</source>
-        <translation>1 fil porte la traction d’un tissu que des panneaux portent aussi.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9270,11 +9355,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="stability.cpp"/>
         <source>Remove the loose particles</source>
         <translation>Supprimer les particules seules</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Remove the threads</source>
-        <translation>Supprimer les fils</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -16151,6 +16231,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="thread_check.cpp"/>
+        <source>All panels of %1 have the grain %2 degrees, which each counts from its own side ab, so that warps lie up to %3 degrees apart. For one direction on the cloth map the grain by a formula, paint it with the brush, or import the mesh with the warp turned.</source>
+        <translation>Tous les panneaux de %1 ont un droit-fil de %2 degrés, que chacun compte depuis son propre côté ab, si bien que les chaînes s’écartent de jusqu’à %3 degrés. Pour une seule direction sur le tissu, donnez le droit-fil par une carte, peignez-le au pinceau, ou importez le maillage avec la chaîne tournée.</translation>
+    </message>
+    <message>
+        <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with the membrane stiffness of %2, %3, whichever way they run; its weft stiffness of %4 is not used. Have panels carry the pull, which know warp and weft.</source>
         <translation>Les fils de %1 tirent avec la raideur de membrane de %2, %3, quel que soit leur sens ; sa raideur de trame de %4 n’est pas utilisée. Faites porter la traction par les panneaux, qui connaissent chaîne et trame.</translation>
     </message>
@@ -17983,8 +18068,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="weigh.cpp"/>
-        <source>Particle %1 weighs less than the density of its material says: empty the material's areal and linear density first.</source>
-        <translation>La particule %1 pèse moins que ne le dit la densité de son matériau : vider d’abord la masse surfacique et linéique du matériau.</translation>
+        <source>Particle %1 weighs less than the densities of its materials say, of all panels and lines that end there: have them weigh it first, as ripstop-cli weigh does, or empty the density of the material.</source>
+        <translation>La particule %1 pèse moins que ne le disent les masses surfaciques et linéiques de ses matériaux, pour tous les panneaux et lignes qui s’y terminent : faites-la d’abord peser par eux, comme le fait ripstop-cli weigh, ou videz celles du matériau.</translation>
     </message>
     <message>
         <location filename="weigh.cpp"/>
