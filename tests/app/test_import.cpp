@@ -8,6 +8,7 @@
 #include "editor/main_window.h"
 #include "files/arrivals.h"
 #include "import/import_dialog.h"
+#include "import/import_form.h"
 #include "import/mesh_preview.h"
 #include "model/meshes.h"
 #include "start/start_page.h"
@@ -136,6 +137,23 @@ private slots:
         QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("18 springs"), qPrintable(counts->text()),
                                   patience);
         QCOMPARE(carrier->currentIndex(), int(FabricKind::Threads)); // which such links are
+    }
+
+    // The warp can be turned where panels carry the pull, and only there.
+    void warpIsTurned()
+    {
+        const Scene scene;
+        ImportDialog dialog(scene, m_cube);
+        dialog.show();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isSettled(), patience);
+        auto* grain = dialog.findChild<QDoubleSpinBox*>("grain");
+        QVERIFY(grain->isEnabled());
+        const auto form = dialog.findChild<ImportForm*>();
+        QCOMPARE(form->fabric().grain, 0.0);
+        grain->setValue(45.0);
+        QCOMPARE(form->fabric().grain, 45.0);
+        dialog.findChild<QComboBox*>("pullCarrier")->setCurrentIndex(int(FabricKind::Threads));
+        QTRY_VERIFY_WITH_TIMEOUT(!grain->isEnabled(), patience);
     }
 
     void dialogRefusesInASentence()

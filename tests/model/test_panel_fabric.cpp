@@ -375,6 +375,16 @@ private slots:
         QVERIFY(refusal({"--set", "fabric.membraneStiffness="}, 1).contains("membrane stiffness"));
         QVERIFY(refusal({"--part", "sial"}, 2).contains("--part sial"));
         QVERIFY(!QFile::exists(path("not.json")));
+        // the other way: 40 edges and the diagonal of each square, by either command
+        const Outcome back =
+            call({"convert", path("panels.json"), "--fabric", "threads", "-o", path("back.json")});
+        QVERIFY2(back.out.contains("56 threads carry what 32 panels have carried"), back.out);
+        const Outcome set = call({"run", path("panels.json"), "--set", "sheet.carrier=threads",
+                                  "--seconds", "0.5", "--json"});
+        QVERIFY2(!set.error.contains("no links"), qPrintable(set.error));
+        QCOMPARE(set.json()["hash"], flown("back.json")["hash"]);
+        QVERIFY(call({"convert", path("back.json"), "--fabric", "threads", "-o", path("not.json")})
+                    .error.contains("has its threads already"));
         QVERIFY(call({"convert", path("made.json"), "--fabric", "panels", "-o", path("not.json")})
                     .error.contains("no fabric of threads"));
     }

@@ -73,6 +73,34 @@ private slots:
         QCOMPARE(label.sizeHint().width(), before);
     }
 
+    // Fabric that was imported as panels has no threads. Choosing that threads carry it makes them,
+    // in one step of undo.
+    void choosingThreadsMakesThem()
+    {
+        Scene scene;
+        Part part;
+        part.carrier = FabricKind::Panels;
+        part.particles = {{.id = Id{2}, .mass = 0.1},
+                          {.id = Id{3}, .position = Vec3(1, 0, 0), .mass = 0.1},
+                          {.id = Id{4}, .position = Vec3(0, 1, 0), .mass = 0.1}};
+        part.panels = {{.id = Id{5}, .a = Id{2}, .b = Id{3}, .c = Id{4}, .material = Id{1}}};
+        scene.items = {{Id{1}, Material{.membraneStiffness = 1000.0}}, {Id{6}, part}};
+        scene.nextId = Id{7};
+        Form form;
+        form.document.replace(scene);
+        form.selection.set({Id{6}});
+        auto* box = qobject_cast<QComboBox*>(form.inspector.field("carrier"));
+        QVERIFY(box);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Home);
+        const Part& made = *findItem<Part>(form.document.scene(), Id{6});
+        QVERIFY(made.carrier == FabricKind::Threads);
+        QCOMPARE(made.links.size(), 3U);
+        QCOMPARE(form.document.history().count(), 1);
+        form.document.history().undo();
+        QVERIFY(form.document.scene().items == scene.items);
+    }
+
     // What the scene file would refuse is not taken from the keyboard either.
     void malformedTextIsRefused()
     {
