@@ -83,9 +83,7 @@ std::function<void()> following(const Workbench& bench)
         std::vector<Id> ids = loop(scene, bench.selection.ids());
         if (ids == before)
             bench.window.statusBar()->showMessage(
-                tr("No line or edge goes on from here. Select a link, a particle on the edge of "
-                   "the fabric, two of them for the stretch between, or two neighbours along a "
-                   "row of threads."),
+                tr("Nothing goes on from here: take a link or a particle of an edge."),
                 messageTime);
         else
             bench.selection.set(std::move(ids));

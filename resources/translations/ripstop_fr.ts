@@ -8593,13 +8593,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="select_rows.cpp"/>
-        <source>No line or edge goes on from here. Select a link, a particle on the edge of the fabric, two of them for the stretch between, or two neighbours along a row of threads.</source>
-        <translation>Aucune ligne et aucun bord ne continue d’ici. Sélectionnez une liaison, une particule au bord du tissu, deux d’entre elles pour le tronçon entre elles, ou deux voisines le long d’une rangée de fils.</translation>
+        <source>Non&amp;e</source>
+        <translation>Rie&amp;n</translation>
     </message>
     <message>
         <location filename="select_rows.cpp"/>
-        <source>Non&amp;e</source>
-        <translation>Rie&amp;n</translation>
+        <source>Nothing goes on from here: take a link or a particle of an edge.</source>
+        <translation>Rien ne continue d’ici : prenez une liaison ou une particule d’un bord.</translation>
     </message>
     <message>
         <location filename="select_rows.cpp"/>
