@@ -10761,8 +10761,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Angle from the side ab, towards c, at which the warp of the cloth runs, where panels carry the pull of the fabric.</source>
-        <translation>Angle, depuis le côté ab vers c, que suit la chaîne du tissu, là où les panneaux portent la traction du tissu.</translation>
+        <source>Angle from the side ab of each panel, towards c, at which the warp of the cloth runs, where panels carry the pull of the fabric; for one direction on the cloth map it by a formula, or paint it.</source>
+        <translation>Angle, depuis le côté ab de chaque panneau vers c, que suit la chaîne du tissu, là où les panneaux portent la traction du tissu ; pour une seule direction sur le tissu, le donner par une carte ou le peindre.</translation>
     </message>
     <message>
         <location filename="tables"/>
