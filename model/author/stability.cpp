@@ -2,8 +2,8 @@
 // made once. Each question is a function that makes one finding or none: particles without mass,
 // loose ones, double links, the substep against its limit, the mass ratio of rods, the sweeps
 // against the length of the network, and lengths at the start; what is wrong with fabric is in
-// fabric_findings.h. A finding that can be repaired has the edit with it. Warnings are sorted to the
-// front.
+// fabric_findings.h. A finding that can be repaired has the edit with it. Warnings are sorted to
+// the front.
 #include "author/stability.h"
 
 #include "author/fabric_findings.h"
