@@ -128,8 +128,9 @@ Result<Edit> weighed(const Scene& scene, Edit edit)
         masses.values.emplace_back(particle.mass + mass);
         if (!(particle.mass + mass > 0.0) && !failure)
             failure =
-                Failure("Particle %1 weighs less than the density of its material says: empty "
-                        "the material's areal and linear density first.",
+                Failure("Particle %1 weighs less than the densities of its materials say, of all "
+                        "panels and lines that end there: have them weigh it first, as "
+                        "ripstop-cli weigh does, or empty the density of the material.",
                         std::uint32_t(particle.id));
     });
     if (failure)
