@@ -580,6 +580,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>The bending at particle %1 needs substeps of %2 s, and the automatic solver takes no more than %3 of them in a time step: it will run away. Lower the flexural rigidity, join small cells, or shorten the time step.</source>
+        <translation>La flexion à la particule %1 demande des sous-pas de %2 s, et le solveur automatique n’en prend pas plus de %3 dans un pas de temps : elle va s’emballer. Réduisez la rigidité en flexion, réunissez les petites mailles ou raccourcissez le pas de temps.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>The formula of probe %1 cannot be worked out: %2.</source>
         <translation>La formule de la sonde %1 ne peut pas être calculée : %2.</translation>
     </message>
@@ -4626,6 +4631,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>Of the last run</source>
+        <translation>Du dernier vol</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>Select the materials</source>
         <translation>Sélectionner les matériaux</translation>
     </message>
@@ -4648,11 +4658,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_panel.cpp"/>
         <source>Worst now</source>
         <translation>À l’instant</translation>
-    </message>
-    <message>
-        <location filename="load_panel.cpp"/>
-        <source>Of the last run</source>
-        <translation>Du dernier vol</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -9125,6 +9130,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="solver_plan.cpp"/>
         <source>%1; %2 needs at least %3</source>
         <translation>%1 ; %2 en demande au moins %3</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>%1; %2 would need %3, and no more are taken</source>
+        <translation>%1 ; %2 en demanderait %3, et il n’en est pas pris plus</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -16245,16 +16255,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <translation>Les fils de %1 tirent jusqu’à %2 le long de mailles %3 fois plus longues que larges, au lieu de la raideur de membrane de %4, %5 : leurs diagonales seules sont plus raides. Rendez les mailles plus carrées, ou faites porter la traction par les panneaux.</translation>
     </message>
     <message>
-        <location filename="time_left.cpp"/>
-        <source>%1 min</source>
-        <translation>%1 min</translation>
-    </message>
-    <message>
-        <location filename="time_left.cpp"/>
-        <source>About %1 left.</source>
-        <translation>Encore %1 environ.</translation>
-    </message>
-    <message>
         <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with up to %2 and resist shear with up to %3, where %4 has %5 and %6: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
         <translation>Les fils de %1 tirent avec jusqu’à %2 et résistent au cisaillement avec jusqu’à %3, alors que %4 a %5 et %6 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
@@ -16263,6 +16263,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with up to %2, where %3 has %4: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
         <translation>Les fils de %1 tirent avec jusqu’à %2, alors que %3 a %4 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
+    </message>
+    <message>
+        <location filename="time_left.cpp"/>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <location filename="time_left.cpp"/>
+        <source>About %1 left.</source>
+        <translation>Encore %1 environ.</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
