@@ -95,11 +95,14 @@ double meanOf(const std::vector<double>& values)
     return count > 0 ? sum / count : Convergence::none;
 }
 
+// What is at rest differs by what solvers leave, which need not shrink.
 bool grow(const std::array<double, 3>& value)
 {
+    constexpr double leftBySolvers = 1e-9; // of a value
     const double first = std::abs(value[0] - value[1]);
     const double second = std::abs(value[1] - value[2]);
-    return second > roundingOf(value[2]) && second >= first;
+    return second > std::max(roundingOf(value[2]), leftBySolvers * std::abs(value[2]))
+           && second >= first;
 }
 
 CertifiedProbe judged(const std::array<Flight, 3>& flights, std::size_t i)
