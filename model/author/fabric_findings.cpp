@@ -70,7 +70,7 @@ std::optional<Finding> warpsEveryWay(const Scene& scene)
         parts.push_back(warps.part);
         most = std::max(most, warps.apart);
     }
-    Finding finding = warningOf("grain", std::move(parts));
+    Finding finding = warningOf("scattered warps", std::move(parts));
     finding.message =
         Message("All panels of a fabric have one grain, which each counts from its own side ab, so "
                 "that warps lie up to %1 degrees apart.",

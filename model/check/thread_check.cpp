@@ -71,7 +71,7 @@ void checkWeft(const Part& part, const Link& thread, const Material& material,
 void checkWarps(const Scene& scene, const AddFinding& add)
 {
     for (const ScatteredWarps& warps : scatteredWarps(scene))
-        add("grain", Severity::Warning,
+        add("scattered warps", Severity::Warning,
             Message("All panels of %1 have the grain %2 degrees, which each counts from its own "
                     "side ab, so that warps lie up to %3 degrees apart. For one direction on the "
                     "cloth map the grain by a formula, paint it with the brush, or import the mesh "

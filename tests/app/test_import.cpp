@@ -146,7 +146,7 @@ private slots:
         ImportDialog dialog(scene, m_cube);
         dialog.show();
         QTRY_VERIFY_WITH_TIMEOUT(dialog.isSettled(), patience);
-        auto* grain = dialog.findChild<QDoubleSpinBox*>("grain");
+        auto* grain = dialog.findChild<QDoubleSpinBox*>("warp turn");
         QVERIFY(grain->isEnabled());
         const auto form = dialog.findChild<ImportForm*>();
         QCOMPARE(form->fabric().grain, 0.0);

@@ -145,7 +145,7 @@ private slots:
         (void)apply(scene, {{}, {SetValues{&grain, panels, {45.0}}}});
         QVERIFY(!allRunAlong(firstPart(scene), Vec3(-1.0, 1.0, 0.0)));
         const auto scattered = [](const std::vector<Finding>& findings) {
-            const auto found = std::ranges::find(findings, "grain", &Finding::sort);
+            const auto found = std::ranges::find(findings, "scattered warps", &Finding::sort);
             return found == findings.end() ? nullptr : &*found;
         };
         const std::vector<Finding> problems = problemsOf(scene), findings = stabilityOf(scene);

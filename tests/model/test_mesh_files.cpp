@@ -375,7 +375,7 @@ private slots:
         // key=value
         const Outcome more = call({"import", mesh, "scale=0.5", "shear=springs", "--into", scene,
                                    "--material", "fabric", "-o", scene});
-        QCOMPARE(more.error, QString());
+        QVERIFY(more.error.contains("this mesh is another")); // than a grid, as threads want one
         QVERIFY(more.out.contains("28 vertices lie on another one: joined."));
         const QJsonObject both = call({"info", scene, "--json"}).json();
         QCOMPARE(both["particles"].toInt(), 16);
@@ -390,7 +390,10 @@ private slots:
     {
         QVERIFY(QDir(m_folder.path()).mkpath("mesh"));
         QVERIFY(QDir(m_folder.path()).mkpath("scene"));
-        write("mesh/sail.png", "");
+        write("mesh/sail.png", // one pixel
+              QByteArray::fromBase64(
+                  "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAC"
+                  "hwGA60e6kgAAAABJRU5ErkJggg=="));
         write("mesh/sail.mtl", "newmtl a\nmap_Kd sail.png\n");
         const QString mesh =
             write("mesh/sail.obj", "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -174,7 +174,7 @@ void ImportForm::addFabricRows(QFormLayout& form)
         emit changed();
     });
     m_grain = number(-180.0, 180.0, 1, QStringLiteral("\u00b0"));
-    m_grain->setObjectName(QStringLiteral("grain"));
+    m_grain->setObjectName(QStringLiteral("warp turn"));
     addRow(form, tr("Warp turned by"), m_grain,
            tr("From the way in which the texture of the mesh goes up; without a texture, from "
               "upright, or from x on what lies level. Of panels only: threads run along the edges "
