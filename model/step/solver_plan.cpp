@@ -157,22 +157,49 @@ std::vector<std::uint8_t> rodsThatBend(const System& system)
     return result;
 }
 
-// Whether rods that never stretch close no loop, which one from what bears to what bears does, too:
-// pendulums, and lines that hang by one end, can swing, but nothing of them is so tight that it
-// rings.
-bool rigidRodsAreBranches(const System& system)
+bool moves(const System& system, const Rod& rod)
+{
+    return system.inverseMass[std::size_t(rod.a)] > 0.0
+           || system.inverseMass[std::size_t(rod.b)] > 0.0;
+}
+
+bool isDamped(const Rod& rod) { return rod.compliance > 0.0 && rod.dampingTime > 0.0; }
+
+// Whether rods without damping close no loop, which one from what bears to what bears does, too:
+// pendulums, lines and spars that are held by one end can swing, but nothing of them is so tight
+// that it rings.
+bool undampedRodsAreBranches(const System& system)
 {
     const int ground = int(system.inverseMass.size()); // all that bears is one
     JoinedSets sets(system.inverseMass.size() + 1);
     const auto nodeOf = [&](int p) { return bears(system, p) ? ground : p; };
     return std::ranges::all_of(system.rods, [&](const Rod& rod) {
         const int a = nodeOf(rod.a), b = nodeOf(rod.b);
-        if (rod.compliance > 0.0 || (a == ground && b == ground))
+        if (isDamped(rod) || (a == ground && b == ground))
             return true;
         const bool closes = sets.of(a) == sets.of(b);
         sets.join(a, b);
         return !closes;
     });
+}
+
+bool rodsAreDamped(const System& system)
+{
+    return std::ranges::all_of(
+        system.rods, [&](const Rod& rod) { return isDamped(rod) || !moves(system, rod); });
+}
+
+// Whether panels that carry a pull are damped, and all rods beside them.
+bool fabricIsDamped(const System& system)
+{
+    return std::ranges::all_of(system.membranes,
+                               [&](const Membrane& membrane) {
+                                   const auto panel = std::size_t(membrane.panel);
+                                   const auto air = std::size_t(system.panels[panel].air);
+                                   const ClothLaw& law = system.cloth[air];
+                                   return !law.isElastic() || law.dampingTime > 0.0;
+                               })
+           && rodsAreDamped(system);
 }
 
 // Makes a plan by giving rods away to the global solve, for one reason after the other.
@@ -258,32 +285,29 @@ private:
     bool givesAll() const
     {
         for (std::size_t r = 0; r < m_direct.size(); ++r)
-            if (moves(m_system.rods[r]) && !m_direct[r])
+            if (moves(m_system, m_system.rods[r]) && !m_direct[r])
                 return false;
         return !m_given.empty() || !m_system.membranes.empty();
-    }
-
-    bool moves(const Rod& rod) const
-    {
-        return m_system.inverseMass[std::size_t(rod.a)] > 0.0
-               || m_system.inverseMass[std::size_t(rod.b)] > 0.0;
     }
 
     Integrator integratorOf(bool together) const
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        const bool mayTakeIt = together && rigidRodsAreBranches(m_system)
-                               && stiffStepLimit(m_system) >= slowBends * m_system.timeStep;
-        return mayTakeIt ? Integrator::Bdf2 : Integrator::SemiImplicitEuler;
+        const bool isCalm = m_system.membranes.empty() ? undampedRodsAreBranches(m_system)
+                                                       : fabricIsDamped(m_system);
+        return together && isCalm && stiffStepLimit(m_system) >= slowBends * m_system.timeStep
+                   ? Integrator::Bdf2
+                   : Integrator::SemiImplicitEuler;
     }
 
     // Substeps that the author wants at least.
     int wantedOf(Integrator integrator) const
     {
-        return integrator == Integrator::Bdf2 && m_system.integrator == Integrator::Auto
-                   ? (m_system.substeps + substepsOfEuler - 1) / substepsOfEuler
-                   : m_system.substeps;
+        if (integrator != Integrator::Bdf2 || m_system.integrator != Integrator::Auto)
+            return m_system.substeps;
+        const int times = rodsAreDamped(m_system) ? substepsOfEuler : substepsOfEuler / 2;
+        return (m_system.substeps + times - 1) / times;
     }
 
     static Message substepsBy(Integrator integrator, int substeps)

@@ -19,12 +19,14 @@
 //
 // Stiff forces, as bends, bound the substep themselves (forces/forces.h).
 //
-// The automatic integrator takes BDF2 where all rods are solved together and what is not solved
-// with them, as bends of cloth, swings so slowly that two time steps would be stable. One substep
-// is then as true as four of Euler's, so that a quarter of System::substeps are enough. Networks of
-// rods that never stretch ring like bells, with nothing to calm them but what Euler loses, and keep
-// it; pendulums and lines that hang by one end only swing, and swing on. BDF2 that the author wants
-// gets all rods solved together, since it makes what a single sweep leaves over grow.
+// The automatic integrator takes BDF2 where all rods are solved together, what is not solved with
+// them, as bends of cloth, swings so slowly that two time steps would be stable, and nothing rings
+// without being damped. One substep is then as true as four of Euler's, so that a quarter of
+// System::substeps are enough, and half of them for what swings on without a damper. Cloth and nets
+// without one, above all those that never stretch, ring like bells with nothing to calm them but
+// what Euler loses, and keep it; pendulums, lines and spars that are held by one end only swing.
+// BDF2 that the author wants gets all rods solved together, since it makes what a single sweep
+// leaves over grow.
 //
 // That is the start. While a system runs, the strain is looked at every few steps and the number of
 // substeps follows it (adaptedSubsteps): wind and swings load rods as well.

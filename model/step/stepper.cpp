@@ -58,7 +58,8 @@ int Stepper::step(const System& system, State& state)
     m_clock.start();
     prepare(system, state);
     const int chosen = chosenSubsteps(system, state);
-    const int substeps = chosen * m_refinement * (beginsBdf2(state) ? substepsOfBeginning : 1);
+    const int substeps =
+        chosen * m_refinement * (beginsBdf2(system, state) ? substepsOfBeginning : 1);
     const double h = system.timeStep / substeps;
     m_clock.lap(StepStage::Plan);
     if (!system.fabricLayer.empty()) {
@@ -177,13 +178,16 @@ bool Stepper::dampsImplicitly(const System& system) const
            && system.airDensity > 0.0;
 }
 
+bool Stepper::solvesTogether(const System& system) const
+{
+    return system.solver == Solver::Direct || (system.solver == Solver::Auto && m_plan.together);
+}
+
 // Whether obstacles are solved together with rods: where all rods are, by an integrator that moves
 // particles to where rods put them.
 bool Stepper::solvesContact(const System& system) const
 {
-    const bool together =
-        system.solver == Solver::Direct || (system.solver == Solver::Auto && m_plan.together);
-    return together && !system.obstacles.empty()
+    return solvesTogether(system) && !system.obstacles.empty()
            && (isImplicit(m_integrator) || m_integrator == Integrator::SemiImplicitEuler);
 }
 
@@ -291,9 +295,10 @@ void Stepper::substep(RodTask& task, State& state, double h)
 
 // BDF2 begins with implicit Euler, which takes (w h)^2 of the energy of a swing each time. So the
 // first step of a run is cut into many.
-bool Stepper::beginsBdf2(const State& state) const
+bool Stepper::beginsBdf2(const System& system, const State& state) const
 {
-    return m_integrator == Integrator::Bdf2 && state.step == 0 && state.driftSubstep == 0.0;
+    return m_integrator == Integrator::Bdf2 && solvesTogether(system) && state.step == 0
+           && state.driftSubstep == 0.0;
 }
 
 // What BDF2 looks back to where the substep is not as long as the last one: what was a substep of h

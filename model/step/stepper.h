@@ -90,11 +90,12 @@ private:
     int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
     bool dampsImplicitly(const System& system) const;
+    bool solvesTogether(const System& system) const; // all rods, as far as they can move
     bool solvesContact(const System& system) const;
     void dampImplicitly(const System& system, const State& state, double reach,
                         std::span<const PaddedVec3> now, bool drifts);
     void beginAnew(RodTask& task, State& state, double h);
-    bool beginsBdf2(const State& state) const;
+    bool beginsBdf2(const System& system, const State& state) const;
     void lookBackAsFar(State& state, double h);
     void takeMeans(const System& system, State& state, double h);
     bool isSteady(const System& system, const State& state) const;

@@ -190,9 +190,9 @@ private slots:
         }
     }
 
-    // What stretches swings on by BDF2, damped or not; rods between two pins that never stretch
-    // have nothing to calm them but what Euler loses.
-    void bdf2WhereNothingRings()
+    // Bare rods between two pins that never stretch, or stretch without a damper, have nothing to
+    // calm them but what Euler loses.
+    void bdf2WhereItIsCalm()
     {
         const auto chosen = [](double compliance, double dampingTime) {
             System system = swinging(0.01, Integrator::Auto, Solver::Auto, dampingTime);
@@ -205,13 +205,12 @@ private slots:
             finish(system);
             return planFor(system);
         };
-        for (const double dampingTime : {0.0, 1e-3}) {
-            const SolverPlan plan = chosen(1e-7, dampingTime);
-            QCOMPARE(plan.integrator, Integrator::Bdf2);
-            QCOMPARE(plan.least, 1);
-        }
+        const SolverPlan damped = chosen(1e-7, 1e-3);
+        QCOMPARE(damped.integrator, Integrator::Bdf2);
+        QCOMPARE(damped.least, 1);
+        QCOMPARE(chosen(1e-7, 0.0).integrator, Integrator::SemiImplicitEuler);
+        QCOMPARE(chosen(1e-7, 0.0).least, 4);
         QCOMPARE(chosen(0.0, 1e-3).integrator, Integrator::SemiImplicitEuler);
-        QCOMPARE(chosen(0.0, 1e-3).least, 4);
     }
 };
 

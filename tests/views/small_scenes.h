@@ -27,7 +27,8 @@ inline Scene fallingPair()
     Scene scene;
     scene.settings.timeStep = 0.01; // s
     scene.settings.substeps = 1;
-    scene.settings.airDensity = 0.0; // kg/m^3
+    scene.settings.airDensity = 0.0;                           // kg/m^3
+    scene.settings.integrator = Integrator::SemiImplicitEuler; // by g h^2 n (n + 1) / 2 in n steps
 
     Part part;
     part.name = "pair";
