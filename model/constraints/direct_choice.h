@@ -46,6 +46,11 @@
 
 namespace ripstop {
 
+// A rod that never stretches is solved as if it gave way, so that nets of them have a solution:
+// over the square of the substep by as much as this share of the inverse masses of its ends, 1/kg,
+// at most.
+inline constexpr double greatestSoftness = 1e-4;
+
 // Places in system.rods, ascending. The system must be finished. They build arrays of the size of
 // the system: they are called when the automatic solver makes its plan (step/solver_plan.h), not in
 // each step.

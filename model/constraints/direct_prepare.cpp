@@ -30,7 +30,6 @@ constexpr std::size_t fewNodes = 300;
 constexpr double strainOfRigid = 1e-4; // under `greatLoad`
 constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
 constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends, where none is given
-constexpr double greatestSoftness = 1e-4;
 constexpr double leastOfGiven = 1e-13; // below which rounding would decide how ends move
 constexpr double shareOfWeight = 0.1;  // that pulls are compared with where they are less
 

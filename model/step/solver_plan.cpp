@@ -165,6 +165,25 @@ bool moves(const System& system, const Rod& rod)
 
 bool isDamped(const Rod& rod) { return rod.compliance > 0.0 && rod.dampingTime > 0.0; }
 
+// Whether what the solver makes of rods that never stretch is so stiff that it does not ring: the
+// mass of all that they hold would swing on all of them by a radian and more in a substep.
+bool rigidRodsAreRigid(const System& system)
+{
+    constexpr double enough = 0.1; // (1 / w h)^2
+    std::vector<std::uint8_t> isHeld(system.inverseMass.size(), 0);
+    double inverse = 0.0, mass = 0.0; // 1/kg and kg, sums
+    for (const Rod& rod : system.rods)
+        for (const int end : {rod.a, rod.b}) {
+            const double one = system.inverseMass[std::size_t(end)];
+            if (rod.compliance > 0.0 || one == 0.0)
+                continue;
+            inverse += one;
+            if (!std::exchange(isHeld[std::size_t(end)], std::uint8_t(1)))
+                mass += 1.0 / one;
+        }
+    return greatestSoftness * inverse * mass < enough;
+}
+
 // Whether rods without damping close no loop, which one from what bears to what bears does, too:
 // pendulums, lines and spars that are held by one end can swing, but nothing of them is so tight
 // that it rings.
@@ -294,8 +313,9 @@ private:
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        const bool isCalm = m_system.membranes.empty() ? undampedRodsAreBranches(m_system)
-                                                       : fabricIsDamped(m_system);
+        const bool isCalm = m_system.membranes.empty()
+                                ? undampedRodsAreBranches(m_system) && rigidRodsAreRigid(m_system)
+                                : fabricIsDamped(m_system);
         return together && isCalm && stiffStepLimit(m_system) >= slowBends * m_system.timeStep
                    ? Integrator::Bdf2
                    : Integrator::SemiImplicitEuler;

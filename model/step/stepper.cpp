@@ -294,11 +294,13 @@ void Stepper::substep(RodTask& task, State& state, double h)
 }
 
 // BDF2 begins with implicit Euler, which takes (w h)^2 of the energy of a swing each time. So the
-// first step of a run is cut into many.
+// first step of a run is cut into many, where all rods stretch: others would only ring in what the
+// solver makes of them.
 bool Stepper::beginsBdf2(const System& system, const State& state) const
 {
     return m_integrator == Integrator::Bdf2 && solvesTogether(system) && state.step == 0
-           && state.driftSubstep == 0.0;
+           && state.driftSubstep == 0.0
+           && std::ranges::all_of(system.rods, [](const Rod& rod) { return rod.compliance > 0.0; });
 }
 
 // What BDF2 looks back to where the substep is not as long as the last one: what was a substep of h
