@@ -149,6 +149,8 @@ State carryOver(const System& from, const State& state, const System& to, State 
     State carried = std::move(memory);
     carried = to.start;
     forEachPer<Per::Run>([](auto& value, const auto& before) { value = before; }, carried, state);
+    if (to.integrator != from.integrator)
+        carried.driftSubstep = 0.0; // BDF2 looks back to more than Verlet notes
 
     const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);

@@ -78,12 +78,13 @@ std::optional<Finding> timeStep(const Look& look)
     const bool adapts = limits.bends && settings.solver == Solver::Auto;
     if (finding.culprits.empty() || adapts) {
         finding.message =
-            adapts ? Message("The substep is %1 s and may be up to %2 s for the springs and the "
-                             "bending; the automatic solver keeps to it.",
-                             shortNumber(substep), shortNumber(least))
-                   : Message("The substep is %1 s and may be up to %2 s for the springs and the "
-                             "bending.",
-                             shortNumber(substep), shortNumber(least));
+            settings.solver == Solver::Auto
+                ? Message("The time step is %1 s. The springs and the bending allow substeps of up "
+                          "to %2 s, and the automatic solver keeps to it.",
+                          shortNumber(settings.timeStep), shortNumber(least))
+                : Message("The substep is %1 s and may be up to %2 s for the springs and the "
+                          "bending.",
+                          shortNumber(substep), shortNumber(least));
         finding.culprits = {worst};
         return finding;
     }

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <utility>
 
 namespace ripstop {
@@ -61,6 +62,7 @@ public:
                 ++m_rodsAtPins[std::size_t(m_sets.of(pinned(rod.a) ? rod.b : rod.a))];
     }
 
+    int of(int p) { return m_sets.of(p); } // a particle that stands for its network
     double mass(int p) { return m_mass[std::size_t(m_sets.of(p))]; } // kg
     int rodsAtPins(int p) { return m_rodsAtPins[std::size_t(m_sets.of(p))]; }
 
@@ -166,22 +168,20 @@ bool moves(const System& system, const Rod& rod)
 bool isDamped(const Rod& rod) { return rod.compliance > 0.0 && rod.dampingTime > 0.0; }
 
 // Whether what the solver makes of rods that never stretch is so stiff that it does not ring: the
-// mass of all that they hold would swing on all of them by a radian and more in a substep.
-bool rigidRodsAreRigid(const System& system)
+// mass of a network would swing on all of its rods by three radians and more in a substep.
+bool rigidRodsHoldStill(const System& system)
 {
     constexpr double enough = 0.1; // (1 / w h)^2
-    std::vector<std::uint8_t> isHeld(system.inverseMass.size(), 0);
-    double inverse = 0.0, mass = 0.0; // 1/kg and kg, sums
+    Networks networks(system);
+    std::map<int, double> softness; // 1/kg over h^2, of a network as a line of its rods
     for (const Rod& rod : system.rods)
-        for (const int end : {rod.a, rod.b}) {
-            const double one = system.inverseMass[std::size_t(end)];
-            if (rod.compliance > 0.0 || one == 0.0)
-                continue;
-            inverse += one;
-            if (!std::exchange(isHeld[std::size_t(end)], std::uint8_t(1)))
-                mass += 1.0 / one;
-        }
-    return greatestSoftness * inverse * mass < enough;
+        if (rod.compliance == 0.0 && moves(system, rod))
+            softness[networks.of(bears(system, rod.a) ? rod.b : rod.a)] +=
+                greatestSoftness
+                * (system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)]);
+    return std::ranges::all_of(softness, [&](const auto& network) {
+        return network.second * networks.mass(network.first) < enough;
+    });
 }
 
 // Whether rods without damping close no loop, which one from what bears to what bears does, too:
@@ -314,7 +314,7 @@ private:
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
         const bool isCalm = m_system.membranes.empty()
-                                ? undampedRodsAreBranches(m_system) && rigidRodsAreRigid(m_system)
+                                ? undampedRodsAreBranches(m_system) && rigidRodsHoldStill(m_system)
                                 : fabricIsDamped(m_system);
         return together && isCalm && stiffStepLimit(m_system) >= slowBends * m_system.timeStep
                    ? Integrator::Bdf2

@@ -9408,8 +9408,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>The substep is %1 s and may be up to %2 s for the springs and the bending; the automatic solver keeps to it.</source>
-        <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour les ressorts et la flexion ; le solveur automatique s’y tient.</translation>
+        <source>The time step is %1 s. The springs and the bending allow substeps of up to %2 s, and the automatic solver keeps to it.</source>
+        <translation>Le pas de temps est de %1 s. Les ressorts et la flexion permettent des sous-pas de %2 s au plus, et le solveur automatique s’y tient.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>

@@ -332,6 +332,29 @@ private slots:
         finish(system);
         QTEST(planFor(system).integrator, "integrator");
     }
+
+    // What the solver makes of a chain that never stretches is soft for a load that is far heavier
+    // than its links, and rings; of pendulums it is stiff, however many there are.
+    void heavyChainsAreCalmed()
+    {
+        const auto chosen = [](int lines, int links, double linkMass, double load) {
+            System system = together(0.004, Integrator::Auto);
+            for (int line = 0; line < lines; ++line) {
+                int above = addPin(system, Vec3(line, 0.0, 0.0));
+                for (int i = 1; i <= links; ++i) {
+                    const int below =
+                        addParticle(system, Vec3(line, -0.1 * i, 0.0), i < links ? linkMass : load);
+                    addRod(system, above, below, 0.1);
+                    above = below;
+                }
+            }
+            finish(system);
+            return planFor(system).integrator;
+        };
+        QCOMPARE(chosen(1, 100, 0.005, 65.0), Integrator::SemiImplicitEuler);
+        QCOMPARE(chosen(1, 5, 0.1, 0.1), Integrator::Bdf2);
+        QCOMPARE(chosen(60, 1, 1.0, 1.0), Integrator::Bdf2);
+    }
 };
 
 const RegisteredTest registered("test_bdf2", runPlain<TestBdf2>);

@@ -62,6 +62,40 @@ class TestCarryOver : public QObject
     Q_OBJECT
 
 private slots:
+    // Another integrator goes on with the same motion, though it looks back to other things.
+    void goesOnByAnotherIntegrator_data()
+    {
+        QTest::addColumn<Integrator>("before");
+        QTest::addColumn<Integrator>("after");
+        for (const Integrator before :
+             {Integrator::SemiImplicitEuler, Integrator::Verlet, Integrator::VelocityVerlet})
+            QTest::addRow("%s to bdf2", choiceNames<Integrator>[std::size_t(before)].data())
+                << before << Integrator::Bdf2;
+        QTest::newRow("bdf2 to verlet") << Integrator::Bdf2 << Integrator::Verlet;
+    }
+
+    void goesOnByAnotherIntegrator()
+    {
+        QFETCH(Integrator, before);
+        QFETCH(Integrator, after);
+        for (const int substeps : {1, 2}) {
+            System from = rope(2);
+            from.solver = Solver::Direct;
+            from.substeps = 1;
+            from.integrator = before;
+            System to = from;
+            to.integrator = after;
+            to.substeps = substeps;
+            const State swinging = run(from, 30);
+            const double speed = swinging.velocity[1].norm(); // m/s, of 1.2
+            const State later = run(to, carryOver(from, swinging, to), 1);
+            // a step of a fall at most, on the way along the arc
+            const double most = standardGravity * to.timeStep;
+            QVERIFY2(isNear(later.velocity[1].norm(), speed, 1.01 * most),
+                     told(later.velocity[1].norm(), speed));
+        }
+    }
+
     // An edit that changes nothing changes nothing, to the bit.
     void sameSystem()
     {
