@@ -234,9 +234,7 @@ double meanGrain(const std::vector<double>& grains)
     std::complex<double> sum;
     for (const double grain : grains)
         sum += std::polar(1.0, 2.0 * grain * radians);
-    const double angle = grains.size() == 1 ? grains[0] : std::arg(sum) / (2.0 * radians);
-    const double rest = std::fmod(angle, 180.0);
-    return rest < 0.0 ? rest + 180.0 : rest;
+    return turnedGrain(grains.size() == 1 ? grains[0] : std::arg(sum) / (2.0 * radians), 0.0);
 }
 
 // Carries what is painted on one kind of row.

@@ -1,24 +1,23 @@
 #include "author/design_figures.h"
 
 #include "derived/cloth_area.h"
+#include "derived/panel_sides.h"
 #include "select/net.h"
 #include "shaping/insert.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ripstop {
 namespace {
 
-std::vector<SideIds> sidesOf(const Part& part)
+std::vector<PanelSide> allSides(const Part& part)
 {
-    std::vector<SideIds> sides;
+    std::vector<PanelSide> sides;
     sides.reserve(3 * part.panels.size());
-    for (const Panel& panel : part.panels) {
-        sides.push_back(sideOf(panel.a, panel.b));
-        sides.push_back(sideOf(panel.b, panel.c));
-        sides.push_back(sideOf(panel.c, panel.a));
-    }
+    for (const Panel& panel : part.panels)
+        std::ranges::copy(sidesOf(panel), std::back_inserter(sides));
     std::sort(sides.begin(), sides.end());
     return sides;
 }
@@ -26,14 +25,14 @@ std::vector<SideIds> sidesOf(const Part& part)
 double lineLength(const Scene& scene, const Part& part)
 {
     double length = 0.0;
-    std::vector<SideIds> sides;
+    std::vector<PanelSide> sides;
     Id looked = noId;
     bool isShown = true;
     for (const Link& link : part.links) {
         if (link.resists != Resists::Tension)
             continue;
         if (sides.empty())
-            sides = sidesOf(part);
+            sides = allSides(part);
         if (link.material != looked) {
             const Material* material = findItem<Material>(scene, link.material);
             isShown = !material || material->shown;

@@ -5,6 +5,7 @@
 #include "derived/cloth_area.h"
 #include "derived/link_stiffness.h"
 #include "derived/panel_fabric.h"
+#include "derived/panel_sides.h"
 
 #include <Eigen/Geometry>
 
@@ -15,10 +16,6 @@
 
 namespace ripstop {
 namespace {
-
-using ParticlePair = std::pair<Id, Id>; // two particles of the mesh, the lower id first
-
-ParticlePair pairOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
 struct StripSide
 {
@@ -35,7 +32,7 @@ public:
     {
         for (const Link& link : part.links)
             if (std::ranges::count(materials, link.material) > 0 && !isOfFabric(link))
-                m_links.emplace(pairOf(link.from, link.to), link.id);
+                m_links.emplace(sideOf(link.from, link.to), link.id);
         for (std::size_t i = 0; i < part.panels.size(); ++i) {
             const Panel& panel = part.panels[i];
             addSide(panel.a, panel.b, panel.c, i);
@@ -68,8 +65,8 @@ public:
     }
 
 private:
-    using Links = std::map<ParticlePair, Id>;
-    using Sides = std::map<ParticlePair, StripSide>;
+    using Links = std::map<PanelSide, Id>;
+    using Sides = std::map<PanelSide, StripSide>;
 
     Vec3 at(Id particle) const
     {
@@ -80,18 +77,18 @@ private:
     {
         return m_cut.lengthOf(a, b).value_or((at(b) - at(a)).norm());
     }
-    double length(const ParticlePair& tie) const { return length(tie.first, tie.second); }
+    double length(const PanelSide& tie) const { return length(tie.first, tie.second); }
 
     void addSide(Id a, Id b, Id opposite, std::size_t panel)
     {
-        StripSide& side = m_sides[pairOf(a, b)];
+        StripSide& side = m_sides[sideOf(a, b)];
         side.panels.push_back(panel);
         side.opposite.push_back(opposite);
     }
 
     // Where the way between the corners opposite to a side crosses it, from 0 to 1 along the side.
     // The panels are taken as unfolded into a plane.
-    double crossing(const ParticlePair& pair, const StripSide& side) const
+    double crossing(const PanelSide& pair, const StripSide& side) const
     {
         const Vec3 along = at(pair.second) - at(pair.first);
         const auto placeOf = [&](Id corner) { // along the side, and away from it
@@ -107,12 +104,12 @@ private:
     // The link between the corners opposite to a side of two panels, or the end. What is the side
     // of another panel goes along that one, and what runs through an end of this side, as bend
     // springs over two cells do, does not cross it.
-    Links::const_iterator linkAcross(const ParticlePair& pair, const StripSide& side) const
+    Links::const_iterator linkAcross(const PanelSide& pair, const StripSide& side) const
     {
         constexpr double margin = 0.05;
         if (side.panels.size() != 2 || !(std::abs(crossing(pair, side) - 0.5) < 0.5 - margin))
             return m_links.end();
-        const ParticlePair across = pairOf(side.opposite[0], side.opposite[1]);
+        const PanelSide across = sideOf(side.opposite[0], side.opposite[1]);
         return m_sides.contains(across) ? m_links.end() : m_links.find(across);
     }
 
@@ -126,7 +123,7 @@ private:
     }
 
     // Whether the side is a diagonal of a cell: its panels are tied across it, and across no other.
-    bool isDiagonal(const ParticlePair& tie, const StripSide& side) const
+    bool isDiagonal(const PanelSide& tie, const StripSide& side) const
     {
         return m_links.contains(tie) && linkAcross(tie, side) != m_links.end()
                && m_across[side.panels[0]] == 1 && m_across[side.panels[1]] == 1;
@@ -136,15 +133,14 @@ private:
     Sides::const_iterator cellSide(std::size_t panel) const
     {
         const Panel& row = m_part.panels[panel];
-        for (const ParticlePair& tie :
-             {pairOf(row.a, row.b), pairOf(row.b, row.c), pairOf(row.c, row.a)})
+        for (const PanelSide& tie : sidesOf(row))
             if (const auto side = m_sides.find(tie); isDiagonal(tie, side->second))
                 return side;
         return m_sides.end();
     }
 
     // The fabric beside a side, shared out among its length.
-    FabricStrip threadBeside(const ParticlePair& tie, const StripSide& side) const
+    FabricStrip threadBeside(const PanelSide& tie, const StripSide& side) const
     {
         double area = 0.0, squaredAspects = 0.0; // m^2, the latter times the area of each
         for (const std::size_t panel : side.panels) {
@@ -157,8 +153,8 @@ private:
             const auto& [diagonal, sides] = *cell;
             const double half = 0.5 * (m_area[sides.panels[0]] + m_area[sides.panels[1]]);
             const Cell lengths = cellAt(diagonal, sides);
-            const bool isFirst = tie == pairOf(diagonal.first, sides.opposite[0])
-                                 || tie == pairOf(diagonal.second, sides.opposite[1]);
+            const bool isFirst = tie == sideOf(diagonal.first, sides.opposite[0])
+                                 || tie == sideOf(diagonal.second, sides.opposite[1]);
             const double aspect =
                 isFirst ? lengths.first / lengths.second : lengths.second / lengths.first;
             area += half;
@@ -173,7 +169,7 @@ private:
         double first;  // from the lower end of the diagonal to the first corner off it
         double second; // from there to the upper end
     };
-    Cell cellAt(const ParticlePair& diagonal, const StripSide& side) const
+    Cell cellAt(const PanelSide& diagonal, const StripSide& side) const
     {
         const Id a = diagonal.first, b = side.opposite[0], c = diagonal.second,
                  d = side.opposite[1];

@@ -123,10 +123,11 @@ private:
     {
         Hold& hold = m_holds[end];
         const Vec3 way = m_particles[other]->position - m_particles[end]->position;
-        const auto* const material = findItem<Material>(m_scene, link.material);
-        const TearLimit tear = material ? linkTearOf(*material, link.role, link.width,
-                                                     link.tearLimit, link.strengthFactor)
-                                        : TearLimit();
+        const int at = m_index.material(link.material);
+        const TearLimit tear =
+            at < 0 ? TearLimit()
+                   : linkTearOf(std::get<Material>(m_scene.items[std::size_t(at)].item), link.role,
+                                link.width, link.tearLimit, link.strengthFactor);
         const bool canProp = link.resists != Resists::Tension && !(way.dot(m_up) > 0.0);
         if (tear.rule != TearRule::Force || canProp || link.resists == Resists::Compression) {
             hold.isUnlimited = true;

@@ -1,5 +1,7 @@
 #include "derived/cloth_area.h"
 
+#include "scene/particle_of.h"
+
 #include "derived/flat_panel.h"
 #include "scene/property.h"
 
@@ -44,9 +46,7 @@ const Particle* ClothArea::at(Id particle) const
 {
     if (const Particle* const own = findRow(m_part.particles, particle); own || !m_scene)
         return own;
-    const auto found = find(*m_scene, particle);
-    const Particle* const* const row = found ? std::get_if<const Particle*>(&*found) : nullptr;
-    return row ? *row : nullptr;
+    return particleOf(*m_scene, particle);
 }
 
 double ClothArea::of(const Panel& panel) const

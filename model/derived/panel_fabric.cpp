@@ -4,6 +4,8 @@
 #include "derived/panel_fabric.h"
 
 #include "derived/flat_panel.h"
+#include "derived/panel_sides.h"
+#include "scene/particle_of.h"
 #include "scene/references.h"
 
 #include <algorithm>
@@ -12,18 +14,6 @@
 
 namespace ripstop {
 namespace {
-
-using PanelSide = std::pair<Id, Id>; // the lower id first
-
-PanelSide sideOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
-
-std::array<PanelSide, 3> sidesOf(const Panel& panel) // ab, bc and ca
-{
-    return {sideOf(panel.a, panel.b), sideOf(panel.b, panel.c), sideOf(panel.c, panel.a)};
-}
-
-constexpr std::array<double Panel::*, 3> restLengths{&Panel::restAB, &Panel::restBC,
-                                                     &Panel::restCA};
 
 std::optional<Failure> refusal(const Scene& scene, const Part& part)
 {
@@ -116,19 +106,12 @@ private:
     std::map<PanelSide, std::vector<Id>> m_panels;
 };
 
-const Particle* particleAt(const Scene& scene, Id id)
-{
-    const std::optional<ConstRef> ref = find(scene, id);
-    const auto* particle = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-    return particle ? *particle : nullptr;
-}
-
 // Laid flat, with the lengths of threads where these make a triangle.
 Panel cut(const Scene& scene, Panel panel, const Neighbours& neighbours)
 {
-    const Particle* const a = particleAt(scene, panel.a);
-    const Particle* const b = particleAt(scene, panel.b);
-    const Particle* const c = particleAt(scene, panel.c);
+    const Particle* const a = particleOf(scene, panel.a);
+    const Particle* const b = particleOf(scene, panel.b);
+    const Particle* const c = particleOf(scene, panel.c);
     if (!a || !b || !c) // which the check reports
         return panel;
     layFlat(panel, *a, *b, *c);

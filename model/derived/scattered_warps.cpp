@@ -2,6 +2,7 @@
 #include "derived/scattered_warps.h"
 
 #include "derived/flat_panel.h"
+#include "scene/particle_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,21 +21,14 @@ bool hasDirection(const Material& material)
                       != *material.membraneStiffness);
 }
 
-const Particle* cornerOf(const Scene& scene, Id id)
-{
-    const std::optional<ConstRef> ref = find(scene, id);
-    const auto* particle = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-    return particle ? *particle : nullptr;
-}
-
 // Calls visit(panel, a, b, c) for each panel whose corners are there.
 template <typename Visit>
 void forEachCut(const Scene& scene, const Part& part, Visit visit)
 {
     for (const Panel& panel : part.panels) {
-        const Particle* const a = cornerOf(scene, panel.a);
-        const Particle* const b = cornerOf(scene, panel.b);
-        const Particle* const c = cornerOf(scene, panel.c);
+        const Particle* const a = particleOf(scene, panel.a);
+        const Particle* const b = particleOf(scene, panel.b);
+        const Particle* const c = particleOf(scene, panel.c);
         if (a && b && c)
             visit(panel, *a, *b, *c);
     }

@@ -3,57 +3,44 @@
 #include "derived/thread_fabric.h"
 
 #include "derived/cloth_area.h"
+#include "derived/panel_sides.h"
+#include "scene/particle_of.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <set>
+#include <optional>
 #include <utility>
 
 namespace ripstop {
 namespace {
 
-using Ends = std::pair<Id, Id>; // of a thread, the lower id first
-
-struct CutSide
-{
-    Id a;
-    Id b;
-    double length; // m, as cut; 0 where the panel does not say
-};
-
-std::array<CutSide, 3> cutSides(const Panel& panel)
-{
-    return {CutSide{panel.a, panel.b, panel.restAB}, CutSide{panel.b, panel.c, panel.restBC},
-            CutSide{panel.c, panel.a, panel.restCA}};
-}
-
-Ends endsOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
-
-// What the links of the scene join.
+// What the links of the scene join, in ascending order.
 struct Ties
 {
     explicit Ties(const Scene& scene)
     {
         forEachPart(scene, [&](Id, const Part& part) {
             for (const Link& link : part.links) {
-                pairs.insert(endsOf(link.from, link.to));
-                ends.insert({link.from, link.to});
+                pairs.push_back(sideOf(link.from, link.to));
+                ends.insert(ends.end(), {link.from, link.to});
             }
         });
+        std::ranges::sort(pairs);
+        std::ranges::sort(ends);
     }
+
+    bool join(const PanelSide& side) const { return std::ranges::binary_search(pairs, side); }
+    bool end(Id particle) const { return std::ranges::binary_search(ends, particle); }
 
     bool hold(const Panel& panel) const
     {
-        const auto isTied = [&](const CutSide& side) {
-            return pairs.contains(endsOf(side.a, side.b));
-        };
-        return std::ranges::any_of(cutSides(panel), isTied)
-               || (ends.contains(panel.a) && ends.contains(panel.b) && ends.contains(panel.c));
+        return std::ranges::any_of(sidesOf(panel),
+                                   [&](const PanelSide& side) { return join(side); })
+               || (end(panel.a) && end(panel.b) && end(panel.c));
     }
 
-    std::set<Ends> pairs;
-    std::set<Id> ends;
+    std::vector<PanelSide> pairs;
+    std::vector<Id> ends;
 };
 
 // What lies beside a side: sums over its panels.
@@ -67,30 +54,32 @@ struct Beside
     Id material{};
 };
 
-Vec3 placeOf(const Scene& scene, Id id)
+double lengthOf(const Scene& scene, const PanelSide& side) // m, as it lies
 {
-    const std::optional<ConstRef> ref = find(scene, id);
-    const auto* particle = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-    return particle ? (*particle)->position : Vec3(Vec3::Zero()); // the check reports it
+    const Particle* const a = particleOf(scene, side.first);
+    const Particle* const b = particleOf(scene, side.second);
+    return a && b ? (b->position - a->position).norm() : 0.0; // the check reports what is missing
 }
 
-std::map<Ends, Beside> sidesOf(const Scene& scene, const Part& part)
+std::map<PanelSide, Beside> besideSides(const Scene& scene, const Part& part)
 {
     const ClothArea cut(part, &scene);
-    std::map<Ends, Beside> sides;
-    for (const Panel& panel : part.panels)
-        for (const CutSide& side : cutSides(panel)) {
-            Beside& beside = sides[endsOf(side.a, side.b)];
+    std::map<PanelSide, Beside> all;
+    for (const Panel& panel : part.panels) {
+        const double area = cut.of(panel);
+        const auto sides = sidesOf(panel);
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            Beside& beside = all[sides[i]];
             if (beside.panels++ == 0)
                 beside.material = panel.material;
-            beside.area += cut.of(panel);
-            beside.length += side.length > 0.0
-                                 ? side.length
-                                 : (placeOf(scene, side.b) - placeOf(scene, side.a)).norm();
+            const double length = panel.*restLengths[i];
+            beside.area += area;
+            beside.length += length > 0.0 ? length : lengthOf(scene, sides[i]);
             beside.stiffness += panel.stiffnessFactor;
             beside.strength += panel.strengthFactor;
         }
-    return sides;
+    }
+    return all;
 }
 
 } // namespace
@@ -119,8 +108,8 @@ std::vector<Change> threadsFor(const Scene& scene, const std::vector<Id>& parts)
     for (const Id id : parts) {
         const Part& part = *findItem<Part>(scene, id);
         AddRows rows{id, {}, {}, {}};
-        for (const auto& [ends, beside] : sidesOf(scene, part)) {
-            if (ties.pairs.contains(ends) || !(beside.length > 0.0))
+        for (const auto& [ends, beside] : besideSides(scene, part)) {
+            if (ties.join(ends) || !(beside.length > 0.0))
                 continue;
             const double count = beside.panels;
             Link thread;

@@ -7,6 +7,7 @@
 #include "derived/formula.h"
 #include "derived/link_stiffness.h"
 #include "derived/tear_bounds.h"
+#include "scene/particle_of.h"
 #include "select/elements.h"
 #include "shapes/shape_files.h"
 

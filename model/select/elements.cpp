@@ -77,13 +77,6 @@ Elements gathered(const Scene& scene, AddTables add)
 
 } // namespace
 
-const Particle* particleOf(const Scene& scene, Id id)
-{
-    const auto ref = find(scene, id);
-    const auto* row = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-    return row ? *row : nullptr;
-}
-
 std::vector<Id> elementsOf(const Scene& scene, const std::vector<Id>& selected)
 {
     std::vector<Id> items;

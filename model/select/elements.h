@@ -15,8 +15,6 @@ namespace ripstop {
 // that are named by a group or a control are among them.
 std::vector<Id> elementsOf(const Scene& scene, const std::vector<Id>& selected);
 
-const Particle* particleOf(const Scene& scene, Id id); // null when there is no such particle
-
 // Elements by kind, in ascending order of id.
 struct Elements
 {

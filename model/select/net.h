@@ -38,7 +38,8 @@ struct Marks
     std::vector<Id> ids(const Net& net) const; // ascending
 };
 
-// The sides of panels, each once: a pair of particles, the lower index first.
+// The sides of panels, each once: a pair of particles, the lower index first. Those of ids are in
+// derived/panel_sides.h.
 struct NetSide
 {
     int low;
@@ -47,10 +48,6 @@ struct NetSide
 
     friend bool operator==(const NetSide&, const NetSide&) = default;
 };
-
-// The same of ids.
-using SideIds = std::pair<Id, Id>; // the lower first
-inline SideIds sideOf(Id a, Id b) { return std::minmax(a, b); }
 
 // Ordered by `low`, then by `high`. Only panels whose mark is set count; all do when there are no
 // marks.

@@ -4,6 +4,7 @@
 #include "shaping/brush.h"
 
 #include "derived/flat_panel.h"
+#include "scene/particle_of.h"
 #include "select/elements.h"
 #include "shaping/fabric_places.h"
 #include "shaping/mirror_plane.h"

@@ -6,6 +6,7 @@
 // large design does not sort all links.
 #include "shaping/drawing.h"
 
+#include "scene/particle_of.h"
 #include "select/elements.h"
 #include "shaping/movable.h"
 

@@ -5,6 +5,8 @@
 #include "shaping/split.h"
 
 #include "derived/flat_panel.h"
+#include "derived/panel_sides.h"
+#include "scene/particle_of.h"
 #include "scene/references.h"
 #include "select/elements.h"
 #include "select/net.h"
@@ -215,9 +217,10 @@ private:
     int m_count;
     double m_mass; // kg
     LinksSplit m_split;
-    std::map<SideIds, std::vector<Id>> m_between; // the chain that a side became, from the lower id
-    std::map<Id, std::vector<Id>> m_pieces;       // of links and panels
-    std::map<Id, double> m_endMass;               // kg
+    std::map<PanelSide, std::vector<Id>>
+        m_between;                          // the chain that a side became, from the lower id
+    std::map<Id, std::vector<Id>> m_pieces; // of links and panels
+    std::map<Id, double> m_endMass;         // kg
     std::vector<AddRows> m_added;
     std::vector<RemoveRows> m_removed;
 };

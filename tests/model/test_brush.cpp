@@ -5,6 +5,7 @@
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "registered_test.h"
+#include "scene/particle_of.h"
 #include "select/elements.h"
 #include "shaping/brush.h"
 #include "shaping/mirror_plane.h"

@@ -3,6 +3,7 @@
 #include "derived/flat_panel.h"
 #include "model/rebuilding.h"
 #include "registered_test.h"
+#include "scene/particle_of.h"
 #include "select/elements.h"
 #include "shaping/brush.h"
 

@@ -7,6 +7,7 @@
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "registered_test.h"
+#include "scene/particle_of.h"
 #include "scene/usage.h"
 #include "select/elements.h"
 #include "shaping/copy.h"

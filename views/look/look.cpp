@@ -13,6 +13,7 @@
 #include "derived/flat_panel.h"
 #include "derived/tear_bounds.h"
 #include "look/subject.h"
+#include "scene/particle_of.h"
 #include "select/elements.h"
 
 #include <map>

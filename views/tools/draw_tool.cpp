@@ -11,6 +11,7 @@
 
 #include "document/document.h"
 #include "document/words.h"
+#include "scene/particle_of.h"
 #include "select/elements.h"
 #include "tools/picker.h"
 
