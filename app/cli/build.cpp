@@ -104,9 +104,8 @@ int buildScene(const BuildOptions& options)
     if (const auto cloth = design.find("cloth"); cloth == design.end() || cloth->second != 0.0)
         tellIdealOnes(*builder, design);
     for (const std::string& key : idleOnes(*builder, *parameters, *scene))
-        std::cerr << "ripstop-cli: warning: " << key
-                  << " changes nothing of this design; ripstop-cli builders " << builder->name
-                  << " says what each parameter is for.\n";
+        warn(key + " changes nothing of this design; ripstop-cli builders "
+             + std::string(builder->name) + " says what each parameter is for.");
     if (const auto failure = assign(*scene, options.assignments))
         return fail(WrongUsage, failure->message);
     if (const auto failure = saveReadable(*scene, options.output))

@@ -236,7 +236,7 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
     std::erase_if(made->pictures, [](const PolygonMesh::PackedPicture& picture) {
         const auto failure = unpack(picture);
         if (failure)
-            std::cerr << "ripstop-cli: warning: " << failure->message.english() << '\n';
+            warn(failure->message.english());
         return failure.has_value();
     });
     (void)apply(scene, made->edit);

@@ -185,15 +185,12 @@ void warnOfOverload(const std::vector<Id>& lasting, const Frame& frame)
             continue;
         const Message element =
             subjectOf(place.kind == LoadKind::Cloth ? Kind::Panel : Kind::Link, Id{place.element});
-        std::cerr << "ripstop-cli: warning: "
-                  << Message(
-                         "%1 has borne %2 times its strength at %3 s and holds, as nothing says "
-                         "that its material tears: tearRule=strength has it break.",
-                         element, Message::number("%.3g", place.margin()),
-                         Message::number("%.3g", place.time))
-                         .english()
-                  << '\n';
-        return;
+        return warn(
+            Message("%1 has borne %2 times its strength at %3 s and holds, as nothing says that "
+                    "its material tears: tearRule=strength has it break.",
+                    element, Message::number("%.3g", place.margin()),
+                    Message::number("%.3g", place.time))
+                .english());
     }
 }
 
@@ -210,6 +207,8 @@ int judge(const Simulation& simulation, const Json& result, const RunOptions& op
         return Absurd;
     const auto frame = simulation.frame();
     warnOfOverload(lasting, *frame);
+    if (const Message complaint = frame->accuracy.dampingComplaint(); !complaint.empty())
+        warn(complaint.english());
     if (const Message complaint = frame->accuracy.complaint(); !complaint.empty()) {
         fail(Inaccurate, complaint);
         if (options.strict)

@@ -101,7 +101,9 @@ Json accuracyOf(const RunAccuracy& accuracy)
              {{"factor", accuracy.worst},
               {"time", accuracy.worstTime},
               {"link", accuracy.worstLink > 0 ? Json(accuracy.worstLink) : Json(nullptr)}}},
+            {"torn_in_missed", accuracy.tornUntrue},
             {"fastest_swing", accuracy.fastestSwing},
+            {"numerical_damping", accuracy.damping},
             {"met", accuracy.isMet()}};
 }
 
@@ -377,6 +379,10 @@ void printRunTable(const Json& result, const Layout& layout)
     if (const double fastest = accuracy["fastest_swing"].get<double>(); fastest > 0.0)
         printReportRow("swings told truly", "up to " + Message::number("%.2g", fastest).english()
                                                 + " Hz, frequency and height within 1 %");
+    if (const double damping = accuracy["numerical_damping"].get<double>(); damping > 0.0)
+        printReportRow("numerical damping",
+                       Message::number("%.2g", 100.0 * damping).english()
+                           + " % of critical in the last 10 s, beside that of the design");
     printReportRow("energy", shortNumber(result["energy"]) + " J");
     printReportRow("hash", result["hash"].get<std::string>());
     const std::vector<std::string> names = distinctNames(layout.probes);

@@ -122,15 +122,13 @@ void tellWarnings(const Scene& scene, const std::string& file)
 {
     for (const Finding& problem : problemsOf(scene))
         if (problem.severity == Severity::Warning)
-            std::cerr << "ripstop-cli: warning: " << file << ": " << problem.message.english()
-                      << '\n';
+            warn(file + ": " + problem.message.english());
 }
 
 void tellIdle(const Scene& scene, const std::string& file, const std::vector<std::string>& paths)
 {
     for (const std::string& path : idleAmong(scene, paths))
-        std::cerr << "ripstop-cli: warning: " << file << ": " << path
-                  << " changes nothing of this design.\n";
+        warn(file + ": " + path + " changes nothing of this design.");
 }
 
 } // namespace ripstop

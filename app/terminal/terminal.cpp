@@ -54,6 +54,8 @@ int fail(ExitCode code, std::string_view message)
 
 int fail(ExitCode code, const Message& message) { return fail(code, message.english()); }
 
+void warn(std::string_view message) { std::cerr << "ripstop-cli: warning: " << message << '\n'; }
+
 Json numbersOf(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 // dump() writes control characters below a blank as \u001b; those that terminals know beyond it,

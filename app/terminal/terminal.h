@@ -37,6 +37,9 @@ Json numbersOf(const Vec3& vector); // [x, y, z]
 int fail(ExitCode code, std::string_view message);
 int fail(ExitCode code, const Message& message);
 
+// Likewise, of what does not end the command.
+void warn(std::string_view message);
+
 // One object on standard output. Numbers that are not finite become null.
 void print(const Json& object);
 

@@ -10,6 +10,10 @@ Message RunAccuracy::complaint() const
         return Message(
             "No step could be told how true it was: the motion runs away. Take a shorter "
             "time step, or smaller loads.");
+    if (missedShare() <= mostMissed)
+        return Message("Breaks in steps that missed the wanted accuracy: %1, the first at %2 s. "
+                       "Whether that load breaks it is not sure; a shorter time step tells.",
+                       tornUntrue, Message::number("%.3g", tornUntrueFirst));
     const auto percent = [](double share) { return Message::number("%.3g", 100.0 * share); };
     const Message where =
         worstLink == 0
@@ -33,6 +37,23 @@ Message RunAccuracy::complaint() const
                : Message("%1. Rods that never stretch are %2 % too long in the last one, where %3 "
                          "% are wanted. %4",
                          where, percent(strain), percent(wantedStrain), remedy);
+}
+
+Message RunAccuracy::dampingComplaint() const
+{
+    if (damping <= mostDamping)
+        return {};
+    const Message ratio = Message::number("%.2g", 100.0 * damping);
+    const Message fastest = Message::number("%.2g", fastestSwing);
+    const Message told =
+        Message("The time steps damp the motion by %1 % of critical: much of it swings faster than "
+                "the %2 Hz that they tell truly, and comes out weaker, or dies away.",
+                ratio, fastest);
+    return couldTakeBdf2
+               ? Message("%1 Take the integrator BDF2, which damps far less, or a shorter time "
+                         "step.",
+                         told)
+               : Message("%1 Take a shorter time step, or more substeps.", told);
 }
 
 } // namespace ripstop

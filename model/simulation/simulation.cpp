@@ -67,6 +67,7 @@ public:
     Stepper stepper;
     EnergyLedger ledger;
     RunAccuracy accuracy;
+    NumericalDamping damping; // that it tells of
     LoadWatch loads;
     std::optional<Trouble> trouble;
 
@@ -75,7 +76,8 @@ private:
     void rampFrom(const std::optional<NotedNumbers>& noted);
     std::shared_ptr<const System> endRamps();
     void followRamps(double time);
-    void noteAccuracy();
+    void forgetAccuracy();
+    void noteAccuracy(std::size_t torn); // so many things in this step
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -121,7 +123,7 @@ void Simulation::Private::followRamps(double time)
 // A new run, from the start of the compiled system.
 void Simulation::Private::startOver()
 {
-    accuracy = {};
+    forgetAccuracy();
     loads.begin();
     run.atStart = true;
     run.now = derived.compiled()->start;
@@ -130,7 +132,7 @@ void Simulation::Private::startOver()
 
 void Simulation::Private::load(std::shared_ptr<const System> system)
 {
-    accuracy = {};
+    forgetAccuracy();
     const bool again = system->run != derived.compiled()->run;
     const auto noted = numbersBeforeEdit();
     const std::shared_ptr<const System> before = derived.replace(std::move(system));
@@ -147,7 +149,7 @@ void Simulation::Private::load(std::shared_ptr<const System> system)
 // One edit, of patches of one run: what goes over begins where it was before all of them.
 void Simulation::Private::apply(std::span<const std::shared_ptr<const Patch>> patches)
 {
-    accuracy = {};
+    forgetAccuracy();
     loads.edited();
     const bool again = patches.back()->run != derived.compiled()->run;
     const auto noted = numbersBeforeEdit();
@@ -200,7 +202,7 @@ void Simulation::Private::resetTo(const Patch& patch)
 
 void Simulation::Private::resume(const Moment& moment)
 {
-    accuracy = {};
+    forgetAccuracy();
     loads.begin();
     hands.forget();
     run.atStart = false;
@@ -250,14 +252,20 @@ bool Simulation::Private::step()
         ++accuracy.missed;
         std::swap(run.now, run.lastGood);
     } else {
-        noteAccuracy();
+        noteAccuracy(run.now.tears.size() - tears);
         loads.look(system(), run.now, tears);
         derived.followTears(tears, run);
     }
     return !trouble;
 }
 
-void Simulation::Private::noteAccuracy()
+void Simulation::Private::forgetAccuracy()
+{
+    accuracy = {};
+    damping = {};
+}
+
+void Simulation::Private::noteAccuracy(std::size_t torn)
 {
     const StepAccuracy& last = stepper.accuracy();
     const double ratio = last.ratio(system());
@@ -270,7 +278,15 @@ void Simulation::Private::noteAccuracy()
     if (ratio > 1.0) {
         ++accuracy.missed;
         accuracy.missedLast = run.now.time;
+        if (torn > 0 && accuracy.tornUntrue == 0)
+            accuracy.tornUntrueFirst = run.now.time;
+        accuracy.tornUntrue += std::int64_t(torn);
     }
+    damping.follow(stepper.numericalDamping(), system().timeStep);
+    accuracy.damping = damping.ratio();
+    accuracy.couldTakeBdf2 =
+        stepper.integrator() != Integrator::Bdf2
+        && (system().solver == Solver::Auto || system().solver == Solver::Direct);
     if (ratio > accuracy.worst) {
         const int rod = last.worstRod(system());
         accuracy.worst = ratio;

@@ -89,6 +89,8 @@ int Stepper::step(const System& system, State& state)
     m_clock.lap(StepStage::Tensions);
     ++state.step;
     m_accuracy = accuracyOf(system, state, m_heldLength, m_pool, m_reach, m_rods.leastEnergy());
+    m_numericalDamping =
+        numericalDampingOf(system, state, m_came, m_touches, m_integrator, h, m_pool);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
@@ -231,8 +233,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
         force->advance(system, state, h);
         m_clock.lap(stageOf(force->kind()));
     }
-    if (solvesContact(system))
-        m_came = state.velocity;
+    m_came = state.velocity;
     if (isBdf2)
         move(ParticlePass::Foresee, system, state, h);
     fillAccelerations(system, state, h);

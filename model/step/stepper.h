@@ -14,6 +14,7 @@
 #include "parallel/thread_pool.h"
 #include "step/accuracy.h"
 #include "step/inputs.h"
+#include "step/numerical_damping.h"
 #include "step/particle_motion.h"
 #include "step/solver_plan.h"
 #include "step/step_times.h"
@@ -67,6 +68,8 @@ public:
 
     // Of the last step.
     const StepAccuracy& accuracy() const { return m_accuracy; }
+    const NumericalDamping& numericalDamping() const { return m_numericalDamping; }
+    Integrator integrator() const { return m_integrator; } // any but Auto
 
     // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
     // for. The first step of a run may be cut finer.
@@ -112,6 +115,7 @@ private:
     PlanFor m_planFor;
     Integrator m_integrator = Integrator::SemiImplicitEuler; // of this step; any but Auto
     StepAccuracy m_accuracy;
+    NumericalDamping m_numericalDamping;
     PinWays m_pinWays;
     FabricContact m_fabric;
     Forces m_forces;
@@ -122,15 +126,15 @@ private:
     std::vector<PaddedVec3> m_stage[3];     // [particles] of takeMeans(), or empty
     std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
     std::vector<std::uint8_t> m_held;       // [particles] of followHeldContacts(), or empty
-    std::vector<PaddedVec3> m_came;       // [particles] m/s, at the start of the substep, or empty
-    std::vector<std::uint32_t> m_touches; // [particles] in this step, or empty
-    std::vector<double> m_restLength;     // [rods] m, with the weight shifts of now
-    std::span<const double> m_heldLength; // [rods] m, the same as they are damped
-    double m_reach = 0.0;                 // s, of the last substep
-    std::vector<double> m_rodLength;      // [rods] m, before projection
-    mutable Damping m_damping;            // of forces
-    std::vector<PaddedVec3> m_implicit;   // [particles] m/s^2, of dampImplicitly(), or empty
-    TearScratch m_tearing;                // with room for all that may tear
+    std::vector<PaddedVec3> m_came;         // [particles] m/s, at the start of the substep
+    std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
+    std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
+    std::span<const double> m_heldLength;   // [rods] m, the same as they are damped
+    double m_reach = 0.0;                   // s, of the last substep
+    std::vector<double> m_rodLength;        // [rods] m, before projection
+    mutable Damping m_damping;              // of forces
+    std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
+    TearScratch m_tearing;                  // with room for all that may tear
     int m_refinement = 1;
     std::size_t m_tears = 0;    // before this time step
     std::uint64_t m_serial = 0; // of the system that m_restLength is of

@@ -8043,6 +8043,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
+        <source>%1 Take a shorter time step, or more substeps.</source>
+        <translation>%1 Prenez un pas de temps plus court, ou plus de sous-pas.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>%1 Take the integrator BDF2, which damps far less, or a shorter time step.</source>
+        <translation>%1 Prenez l’intégrateur BDF2, qui amortit bien moins, ou un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
         <source>%1. After %2 s it was kept; a shorter time step may keep it throughout.</source>
         <translation>%1. Après %2 s, elle a été tenue ; un pas de temps plus court peut la tenir tout du long.</translation>
     </message>
@@ -8058,6 +8068,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
+        <source>Breaks in steps that missed the wanted accuracy: %1, the first at %2 s. Whether that load breaks it is not sure; a shorter time step tells.</source>
+        <translation>Ruptures dans des pas qui ont manqué la précision voulue : %1, la première à %2 s. Il n’est pas sûr qu’une telle charge rompe vraiment ; un pas de temps plus court le dira.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
         <source>No step could be told how true it was: the motion runs away. Take a shorter time step, or smaller loads.</source>
         <translation>Pour aucun pas on n’a pu dire s’il était juste : le mouvement s’emballe. Prenez un pas de temps plus court, ou des charges plus petites.</translation>
     </message>
@@ -8070,6 +8085,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="run_accuracy.cpp"/>
         <source>Take the automatic solver.</source>
         <translation>Prendre le solveur automatique.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>The time steps damp the motion by %1 % of critical: much of it swings faster than the %2 Hz that they tell truly, and comes out weaker, or dies away.</source>
+        <translation>Les pas de temps amortissent le mouvement de %1 % de l’amortissement critique : une bonne part oscille plus vite que les %2 Hz qu’ils rendent fidèlement, et en sort affaiblie, ou s’éteint.</translation>
     </message>
     <message>
         <location filename="run_files.cpp"/>
@@ -16929,6 +16949,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="transport.cpp"/>
         <source>Back to the design: the run is thrown away, controls return to zero.</source>
         <translation>Revenir au modèle : la simulation est jetée, les commandes reviennent à zéro.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Beside what the design has, the steps have damped its motion of the last ten seconds by %1 % of critical.</source>
+        <translation>En plus de l’amortissement du modèle, les pas ont amorti son mouvement des dix dernières secondes de %1 % de l’amortissement critique.</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>

@@ -355,6 +355,40 @@ private slots:
         QCOMPARE(chosen(1, 5, 0.1, 0.1), Integrator::Bdf2);
         QCOMPARE(chosen(60, 1, 1.0, 1.0), Integrator::Bdf2);
     }
+
+    // Light ties beside a pole make it no softer, since the pole does not hang on them.
+    void polesWithLightTiesAreNot()
+    {
+        const Scene scene = *build(*findBuilder("pole_flag"), {{"cloth", 0.0}});
+        QCOMPARE(planFor(**compile(scene)).integrator, Integrator::Bdf2);
+    }
+
+    // As heavy a load as a chain may hold by BDF2 hangs still within half a second.
+    void theHeaviestThatIsLeftDoesNotRing()
+    {
+        constexpr int links = 20;
+        constexpr double linkMass = 0.05, load = 10.0; // kg
+        System system = together(0.004, Integrator::Auto);
+        int above = addPin(system, Vec3::Zero());
+        for (int i = 1; i <= links; ++i) {
+            const int below =
+                addParticle(system, Vec3(0.0, -0.1 * i, 0.0), i < links ? linkMass : load);
+            addRod(system, above, below, 0.1);
+            above = below;
+        }
+        finish(system);
+        QCOMPARE(planFor(system).integrator, Integrator::Bdf2);
+        Stepper stepper;
+        State state = system.start;
+        const double weight = standardGravity * (load + (links - 1) * linkMass);
+        double worst = 0.0;
+        for (int step = 0; step < 250; ++step) {
+            stepper.step(system, state);
+            if (step >= 125)
+                worst = std::max(worst, std::abs(state.rodTension[0] / weight - 1.0));
+        }
+        QVERIFY2(worst < 0.01, qPrintable(QString::number(worst)));
+    }
 };
 
 const RegisteredTest registered("test_bdf2", runPlain<TestBdf2>);

@@ -4,12 +4,14 @@
 #include "assembly/finish.h"
 #include "model/systems.h"
 #include "registered_test.h"
+#include "step/numerical_damping.h"
 #include "step/stepper.h"
 #include "step/true_swings.h"
 
 #include <QtTest>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -19,6 +21,7 @@ namespace {
 
 constexpr double timeStep = 1.0 / 240.0;
 constexpr int periods = 10;
+constexpr int bob = 1; // the particle that swings
 
 struct Swing
 {
@@ -44,13 +47,14 @@ Swing swingOf(const std::vector<double>& way, double frequency)
     return {1.0 / (period * frequency), 1.0 - std::pow(size(1) / size(0), 1.0 / periods)};
 }
 
-Swing swingOf(Integrator integrator, bool held, double frequency)
+// A mass that is held by a pin, and begins where it turns.
+System swinging(Integrator integrator, bool held, double frequency)
 {
     System system = emptySystem(timeStep, integrator);
     const double omega = 2.0 * std::numbers::pi * frequency;
     const double stiffness = omega * omega; // N/m, of 1 kg
     const int pin = addPin(system, Vec3::Zero());
-    const int bob = addParticle(system, {1.001, 0.0, 0.0}, 1.0);
+    addParticle(system, {1.001, 0.0, 0.0}, 1.0);
     if (held) {
         system.solver = Solver::Direct;
         addRod(system, pin, bob, 1.0, 1.0 / stiffness);
@@ -58,6 +62,12 @@ Swing swingOf(Integrator integrator, bool held, double frequency)
         addSpring(system, pin, bob, 1.0, stiffness);
     }
     finish(system);
+    return system;
+}
+
+Swing swingOf(Integrator integrator, bool held, double frequency)
+{
+    const System system = swinging(integrator, held, frequency);
     Stepper stepper;
     State state = system.start;
     std::vector<double> way;
@@ -107,6 +117,65 @@ private slots:
         QVERIFY2(at < 0.011, qPrintable(QString::number(at)));
         const double above = errorAt(1.5 * fastest);
         QVERIFY2(above > 0.012, qPrintable(QString::number(above)));
+    }
+
+    // What the steps say that they damp is what they do, by the roots r of the methods for w h
+    // (Hairer and Wanner 1996, section V.1): -ln |r| / arg r of the critical damping, about w h / 2
+    // with backward Euler and (w h)^3 / 4 with BDF2; and nothing of what springs alone move.
+    void measuresItsDamping_data()
+    {
+        QTest::addColumn<Integrator>("integrator");
+        QTest::addColumn<bool>("held");
+        QTest::addColumn<double>("angle"); // w h, rad
+        QTest::addColumn<double>("ratio");
+        const auto ratioOf = [](std::complex<double> root) {
+            return -std::log(std::abs(root)) / std::arg(root);
+        };
+        const auto euler = [&](double angle) { return ratioOf(1.0 / std::complex(1.0, -angle)); };
+        const auto bdf2 = [&](double angle) {
+            const std::complex a(3.0, -2.0 * angle); // (3/2 - i w h) r^2 - 2 r + 1/2 = 0
+            return ratioOf((2.0 + std::sqrt(4.0 - a)) / a);
+        };
+        QTest::newRow("Euler") << Integrator::SemiImplicitEuler << true << 0.05 << euler(0.05);
+        QTest::newRow("implicit Euler") << Integrator::ImplicitEuler << true << 0.05 << euler(0.05);
+        QTest::newRow("BDF2") << Integrator::Bdf2 << true << 0.1 << bdf2(0.1);
+        QTest::newRow("BDF2, faster") << Integrator::Bdf2 << true << 0.2 << bdf2(0.2);
+        QTest::newRow("a spring") << Integrator::SemiImplicitEuler << false << 0.05 << 0.0;
+    }
+
+    void measuresItsDamping()
+    {
+        QFETCH(Integrator, integrator);
+        QFETCH(bool, held);
+        QFETCH(double, angle);
+        QFETCH(double, ratio);
+        const double frequency = angle / timeStep / (2.0 * std::numbers::pi);
+        System system = swinging(integrator, held, frequency);
+        system.start.position[bob].x() = 1.1;
+        Stepper stepper;
+        State state = system.start;
+        NumericalDamping damping;
+        for (int i = 0; i < int(5 * 2.0 * std::numbers::pi / angle); ++i) {
+            stepper.step(system, state);
+            damping.follow(stepper.numericalDamping(), system.timeStep);
+        }
+        const double got = damping.ratio();
+        QVERIFY2(std::abs(got - ratio) <= 0.05 * ratio, qPrintable(QString::number(got)));
+    }
+
+    // At rest nothing is damped, however rounding turns it.
+    void restIsNotDamped()
+    {
+        System system = swinging(Integrator::SemiImplicitEuler, true, 5.0);
+        system.start.position[bob] = Vec3(1.0, 0.0, 0.0);
+        Stepper stepper;
+        State state = system.start;
+        NumericalDamping damping;
+        for (int i = 0; i < 240; ++i) {
+            stepper.step(system, state);
+            damping.follow(stepper.numericalDamping(), system.timeStep);
+        }
+        QVERIFY(damping.ratio() < 1e-6);
     }
 
     // The step that a new scene gets says so of itself: a cord that is solved together by BDF2.

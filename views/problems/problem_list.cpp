@@ -36,6 +36,16 @@ QIcon signOf(Severity severity)
                : tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f));
 }
 
+std::vector<Finding> untruthsOf(const RunAccuracy& accuracy)
+{
+    std::vector<Finding> found;
+    if (const Message complaint = accuracy.complaint(); !complaint.empty())
+        found.push_back({Severity::Warning, complaint, {Id{accuracy.worstLink}}});
+    if (const Message complaint = accuracy.dampingComplaint(); !complaint.empty())
+        found.push_back({Severity::Warning, complaint, {}});
+    return found;
+}
+
 } // namespace
 
 ProblemList::ProblemList(Document& document, Selection& selection, Player& player, QWidget* parent)
@@ -106,22 +116,19 @@ void ProblemList::noteStop(const QString& why, quint32 culprit)
     rebuild();
 }
 
-// The sentence about the accuracy has figures of now; once in a while is enough to read them.
+// The sentences about the accuracy have figures of now; once in a while is enough to read them.
 void ProblemList::noteFrame(const Frame& frame)
 {
     const bool goesOn = frame.stopped.empty() && !m_stops.empty();
-    const bool isUntrue = !frame.accuracy.isMet();
-    const bool turned = isUntrue == m_untrue.empty();
-    const bool isOld = isUntrue && m_sinceUntrue.hasExpired(oldFigures);
+    std::vector<Finding> untrue = untruthsOf(frame.accuracy);
+    const bool turned = untrue.size() != m_untrue.size();
+    const bool isOld = !untrue.empty() && m_sinceUntrue.hasExpired(oldFigures);
     if (!goesOn && !turned && !isOld)
         return;
     if (goesOn)
         m_stops.clear();
     if (turned || isOld) {
-        m_untrue.clear();
-        if (isUntrue)
-            m_untrue.push_back(
-                {Severity::Warning, frame.accuracy.complaint(), {Id{frame.accuracy.worstLink}}});
+        m_untrue = std::move(untrue);
         m_sinceUntrue.start();
     }
     rebuild();
