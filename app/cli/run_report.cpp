@@ -377,7 +377,7 @@ void printRunTable(const Json& result, const Layout& layout)
                                          + percent(accuracy["wanted"]) + "; missed in "
                                          + percent(accuracy["missed"]) + " of the steps");
     if (const double fastest = accuracy["fastest_swing"].get<double>(); fastest > 0.0)
-        printReportRow("swings told truly", "up to " + Message::number("%.2g", fastest).english()
+        printReportRow("swings told truly", "up to " + Message::number("%.3g", fastest).english()
                                                 + " Hz, frequency and height within 1 %");
     if (const double damping = accuracy["numerical_damping"].get<double>(); damping > 0.0)
         printReportRow("numerical damping",

@@ -44,7 +44,7 @@ Message RunAccuracy::dampingComplaint() const
     if (damping <= mostDamping)
         return {};
     const Message ratio = Message::number("%.2g", 100.0 * damping);
-    const Message fastest = Message::number("%.2g", fastestSwing);
+    const Message fastest = Message::number("%.3g", fastestSwing);
     const Message told =
         Message("The time steps damp the motion by %1 % of critical: much of it swings faster than "
                 "the %2 Hz that they tell truly, and comes out weaker, or dies away.",

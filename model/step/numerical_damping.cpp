@@ -76,7 +76,8 @@ NumericalDamping numericalDampingOf(const System& system, const State& state,
                                     double substep, ThreadPool& pool)
 {
     const bool isBdf2 = integrator == Integrator::Bdf2;
-    if (isBdf2 && state.driftSubstep != substep) // the first one, or one after an impact
+    const bool isFirst = isBdf2 && state.driftSubstep != substep; // also after an impact
+    if (start.empty() || isFirst)
         return {};
     NumericalDamping all;
     inOrderedParts(

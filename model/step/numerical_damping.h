@@ -43,7 +43,7 @@ struct NumericalDamping
 // that never stretch: how they ring is the solver's, not the design's. Nor do, with other
 // integrators than BDF2, particles that no rod or panel is at: what springs alone do to them is
 // told without damping.
-//   start    [particles] m/s, at its start
+//   start    [particles] m/s, at its start; or empty, where nothing is known
 //   touches  [particles] touchOf() of this step, or empty
 NumericalDamping numericalDampingOf(const System& system, const State& state,
                                     std::span<const PaddedVec3> start,

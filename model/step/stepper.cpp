@@ -51,6 +51,13 @@ double toleranceFor(Integrator integrator, double h)
     return integrator == Integrator::Bdf2 ? enough * std::min(1.0, share * share) : enough;
 }
 
+// Whether particle_motion.h has no use for its scratch.
+bool leavesScratch(Integrator integrator)
+{
+    return integrator == Integrator::SemiImplicitEuler || integrator == Integrator::ImplicitEuler
+           || isVerlet(integrator);
+}
+
 } // namespace
 
 int Stepper::step(const System& system, State& state)
@@ -90,13 +97,22 @@ int Stepper::step(const System& system, State& state)
     ++state.step;
     m_accuracy = accuracyOf(system, state, m_heldLength, m_pool, m_reach, m_rods.leastEnergy());
     m_numericalDamping =
-        numericalDampingOf(system, state, m_came, m_touches, m_integrator, h, m_pool);
+        numericalDampingOf(system, state, startOf(state), m_touches, m_integrator, h, m_pool);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
         adapt(system, state, chosen);
     m_clock.lap(StepStage::Plan);
     return substeps;
+}
+
+// The velocities at the start of the last substep, m/s; empty where nothing has kept them.
+std::span<const PaddedVec3> Stepper::startOf(const State& state) const
+{
+    if (m_integrator == Integrator::Bdf2)
+        return state.velocityBefore;
+    return leavesScratch(m_integrator) ? std::span<const PaddedVec3>(m_scratch)
+                                       : std::span<const PaddedVec3>();
 }
 
 void Stepper::prepare(const System& system, State& state)
@@ -233,7 +249,10 @@ void Stepper::substep(RodTask& task, State& state, double h)
         force->advance(system, state, h);
         m_clock.lap(stageOf(force->kind()));
     }
-    m_came = state.velocity;
+    if (solvesContact(system))
+        m_came = state.velocity;
+    if (leavesScratch(m_integrator))
+        m_scratch = state.velocity;
     if (isBdf2)
         move(ParticlePass::Foresee, system, state, h);
     fillAccelerations(system, state, h);

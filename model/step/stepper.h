@@ -86,6 +86,7 @@ public:
 
 private:
     void prepare(const System& system, State& state);
+    std::span<const PaddedVec3> startOf(const State& state) const;
     void substep(RodTask& task, State& state, double h);
     RodTask rodTask(const System& system, State& state, double h) const;
     int chosenSubsteps(const System& system, const State& state) const;
@@ -122,19 +123,19 @@ private:
     std::vector<Lane> m_lanes;              // of the forces that act now
     std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
     std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
-    std::vector<PaddedVec3> m_scratch;      // [particles] of particle_motion.h
+    std::vector<PaddedVec3> m_scratch;      // [particles] of particle_motion.h, or startOf()
     std::vector<PaddedVec3> m_stage[3];     // [particles] of takeMeans(), or empty
     std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
     std::vector<std::uint8_t> m_held;       // [particles] of followHeldContacts(), or empty
-    std::vector<PaddedVec3> m_came;         // [particles] m/s, at the start of the substep
-    std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
-    std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
-    std::span<const double> m_heldLength;   // [rods] m, the same as they are damped
-    double m_reach = 0.0;                   // s, of the last substep
-    std::vector<double> m_rodLength;        // [rods] m, before projection
-    mutable Damping m_damping;              // of forces
-    std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
-    TearScratch m_tearing;                  // with room for all that may tear
+    std::vector<PaddedVec3> m_came;       // [particles] m/s, at the start of the substep, or empty
+    std::vector<std::uint32_t> m_touches; // [particles] in this step, or empty
+    std::vector<double> m_restLength;     // [rods] m, with the weight shifts of now
+    std::span<const double> m_heldLength; // [rods] m, the same as they are damped
+    double m_reach = 0.0;                 // s, of the last substep
+    std::vector<double> m_rodLength;      // [rods] m, before projection
+    mutable Damping m_damping;            // of forces
+    std::vector<PaddedVec3> m_implicit;   // [particles] m/s^2, of dampImplicitly(), or empty
+    TearScratch m_tearing;                // with room for all that may tear
     int m_refinement = 1;
     std::size_t m_tears = 0;    // before this time step
     std::uint64_t m_serial = 0; // of the system that m_restLength is of

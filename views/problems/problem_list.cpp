@@ -64,7 +64,6 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setResizeMode(QListView::Adjust);
-    m_list->setSpacing(1);
     m_list->setAccessibleName(tr("Problems"));
     m_list->setToolTip(tr("Click a problem to select what causes it."));
     m_pages->addWidget(m_empty);
@@ -73,9 +72,7 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     auto* beside = new QSplitter;
     beside->addWidget(m_side);
     beside->addWidget(m_stability);
-    beside->setStretchFactor(0, 1);
-    beside->setStretchFactor(1, 2);
-    beside->setSizes({260, 600}); // px; the sentences of the second are longer
+    beside->setSizes({430, 430}); // px; either has sentences of several lines
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(beside);

@@ -266,7 +266,7 @@ void Transport::refreshAccuracy()
         + tr("Swings of up to %1 Hz keep their frequency within 1 % at this step, and their height "
              "from one to the next; faster ones come out with another frequency, or die away. A "
              "shorter time step tells them.")
-              .arg(QLocale().toString(accuracy.fastestSwing, 'g', 2))
+              .arg(QLocale().toString(accuracy.fastestSwing, 'g', 3))
         + QLatin1Char('\n')
         + tr("Beside what the design has, the steps have damped its motion of the last ten seconds "
              "by %1 % of critical.")
