@@ -17,6 +17,7 @@
 #include "outline/outline.h"
 #include "shaping/align.h"
 #include "shaping/pin.h"
+#include "tools/pointing.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 
@@ -40,12 +41,16 @@ public:
         : m_document(bench.document)
         , m_selection(bench.selection)
         , m_tool(bench.viewport.transformTool())
+        , m_pointing(bench.viewport.pointing())
         , m_outline(bench.docks.panel<Outline>())
         , m_window(bench.window)
     {}
 
+    // One tool at a time: another would have its options under those of this one.
     void choose(Shaping shaping) const
     {
+        while (m_pointing.hasTool() && m_pointing.escape()) {
+        }
         m_tool.setShaping(m_tool.shaping() == shaping ? Shaping::None : shaping);
     }
 
@@ -145,6 +150,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     TransformTool& m_tool;
+    Pointing& m_pointing;
     Outline& m_outline;
     QMainWindow& m_window;
 };

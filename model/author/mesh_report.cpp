@@ -27,7 +27,7 @@ const std::array<Words, meshFaultCount> table{{
     {"flipped_faces",      MeshGravity::Repaired, Message("1 face was wound against its neighbours: turned over."), Message("%1 faces were wound against their neighbours: turned over.")},
     {"inside_out_shells",  MeshGravity::Repaired, Message("1 closed piece was inside out: turned over."), Message("%1 closed pieces were inside out: turned over.")},
     {"one_sided_edges",    MeshGravity::Warning,  Message("1 edge has no outside: the surface turns over itself like a Moebius strip."), Message("%1 edges have no outside: the surface turns over itself like a Moebius strip.")},
-    {"several_shells",     MeshGravity::Note,     Message("The mesh is one piece."), Message("The mesh is %1 pieces that nothing joins. A larger weld tolerance may join them.")},
+    {"several_shells",     MeshGravity::Note,     Message("The mesh is one piece."), Message("The mesh is %1 pieces that nothing joins. A larger weld tolerance may join those of one part; parts of their own stay apart.")},
     {"open_edges",         MeshGravity::Note,     Message("1 edge belongs to one face only: the rim of the fabric."), Message("%1 edges belong to one face only: the rim of the fabric.")},
     {"split_polygons",     MeshGravity::Repaired, Message("1 polygon of more than three corners became triangles."), Message("%1 polygons of more than three corners became triangles.")},
     {"texture_seams",      MeshGravity::Note,     Message("1 vertex lies on a seam of the texture: a picture is printed by the first of its texture points. The warp follows each face."), Message("%1 vertices lie on a seam of the texture: a picture is printed by the first of their texture points. The warp follows each face.")},

@@ -91,6 +91,25 @@ std::vector<Line> linesOf(std::string_view text)
     return lines;
 }
 
+// Who writes decimals with a comma parts cells by semicolons or tabs, and writes all decimals so:
+// beside a decimal point a comma may part thousands, and nobody knows.
+void takeDecimalCommas(std::vector<Line>& lines)
+{
+    const auto hasAny = [&](auto isOne) {
+        return std::ranges::any_of(
+            lines, [&](const Line& line) { return std::ranges::any_of(line.cells, isOne); });
+    };
+    const auto hasPoint = [](const std::string& cell) {
+        return numberIn(cell) && cell.find('.') != std::string::npos;
+    };
+    if (hasAny(hasPoint) || !hasAny(isDecimalComma))
+        return;
+    for (Line& line : lines)
+        for (std::string& cell : line.cells)
+            if (isDecimalComma(cell))
+                cell[cell.find(',')] = '.';
+}
+
 // "Force (N)" is "force" and "N".
 std::pair<std::string, std::string> nameAndUnit(std::string cell)
 {
@@ -191,8 +210,9 @@ Result<double> numberAt(const Line& line, std::size_t column, std::string_view n
         return Failure("%1, line %2: Cell %3 is empty; leave the whole row out.", name, line.number,
                        column + 1);
     if (isDecimalComma(cell))
-        return Failure("%1, line %2: %3 has a decimal comma; write decimals with a point.", name,
-                       line.number, cell);
+        return Failure("%1, line %2: %3 has a decimal comma, and other cells have a decimal point; "
+                       "write all decimals alike.",
+                       name, line.number, cell);
     return Failure("%1, line %2: \"%3\" is no number.", name, line.number, cell);
 }
 
@@ -207,6 +227,7 @@ Result<std::vector<TestPoint>> readMaterialTest(std::string_view text, std::stri
     std::vector<Line> lines = linesOf(text);
     if (lines.empty())
         return Failure("%1 has no rows.", name);
+    takeDecimalCommas(lines);
     Columns columns;
     TestUnits units = given;
     const bool hasHeader = std::ranges::none_of(lines.front().cells, [](const std::string& cell) {

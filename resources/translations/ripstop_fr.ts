@@ -3720,6 +3720,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
+        <source>1 rod</source>
+        <translation>1 tige</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>1 spring</source>
+        <translation>1 ressort</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
         <source>Another file…</source>
         <translation>Autre fichier…</translation>
     </message>
@@ -5606,8 +5616,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
-        <source>The mesh is %1 pieces that nothing joins. A larger weld tolerance may join them.</source>
-        <translation>Le maillage est en %1 morceaux que rien ne joint. Une plus grande tolérance de soudure peut les joindre.</translation>
+        <source>The mesh is %1 pieces that nothing joins. A larger weld tolerance may join those of one part; parts of their own stay apart.</source>
+        <translation>Le maillage est en %1 morceaux que rien ne joint. Une plus grande tolérance de soudure peut joindre ceux d’une même pièce ; les pièces à part restent séparées.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
@@ -16161,8 +16171,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="test_table.cpp"/>
-        <source>%1, line %2: %3 has a decimal comma; write decimals with a point.</source>
-        <translation>%1, ligne %2 : %3 a une virgule décimale ; écrire les décimales avec un point.</translation>
+        <source>%1, line %2: %3 has a decimal comma, and other cells have a decimal point; write all decimals alike.</source>
+        <translation>%1, ligne %2 : %3 a une virgule décimale, et d’autres cellules un point décimal ; écrivez toutes les décimales de la même façon.</translation>
     </message>
     <message>
         <location filename="test_table.cpp"/>
@@ -16708,16 +16718,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="totals.cpp"/>
         <source>%1 pinned</source>
         <translation>%1 fixées</translation>
-    </message>
-    <message>
-        <location filename="totals.cpp"/>
-        <source>1 rod</source>
-        <translation>1 tige</translation>
-    </message>
-    <message>
-        <location filename="totals.cpp"/>
-        <source>1 spring</source>
-        <translation>1 ressort</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>

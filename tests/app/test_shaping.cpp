@@ -10,6 +10,7 @@
 #include "document/selection.h"
 #include "editor/main_window.h"
 #include "thread_time.h"
+#include "tools/pointing.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 #include "views/run_with_widgets.h"
@@ -67,6 +68,23 @@ private slots:
         for (const char* id : {"duplicate", "mirror", "weld", "mass", "pin", "copy", "alignLeastX"})
             QVERIFY2(shop.action(id)->isEnabled(), id);
         QVERIFY(shop.action("paste")->isEnabled());
+    }
+
+    // One tool at a time: the options of both would lie over each other.
+    void shapingPutsDownThePen()
+    {
+        Shop shop;
+        shop.selection.set({Id{3}});
+        Viewport& view = shop.window.viewport();
+        shop.run("drawLinks");
+        QVERIFY(view.pointing().hasTool());
+        shop.run("scale");
+        QVERIFY(!view.pointing().hasTool());
+        QCOMPARE(view.transformTool().shaping(), Shaping::Scale);
+        QVERIFY(shop.action("toolPointer")->isChecked());
+        shop.run("drawLinks"); // and the other way round
+        QVERIFY(view.pointing().hasTool());
+        QCOMPARE(view.transformTool().shaping(), Shaping::None);
     }
 
     void toolsAreToggles()

@@ -212,12 +212,28 @@ private slots:
                                       << "\"nan\" is no number";
         QTest::newRow("decimal commas") << head + "0,0,0,0\n1,5,0,1\n"
                                         << "4 cells instead of 2";
-        QTest::newRow("decimal commas between semicolons")
-            << "force (N);elongation (mm)\n0;0\n1,5;1\n2;2\n"
-            << "1,5 has a decimal comma";
+        QTest::newRow("decimal commas beside points")
+            << "force (N);elongation (mm)\n0;0\n1,500;1.5\n2;2\n"
+            << "1,500 has a decimal comma";
         QTest::newRow("goes back") << head + "0,0\n2,2\n1,1\n"
                                    << "line 4: The elongation goes back";
     }
+    // As spreadsheets write tables where decimals have a comma.
+    void decimalCommasBetweenSemicolons()
+    {
+        const auto commas = readMaterialTest("force (N);elongation (mm)\n0;0\n1,5;1,25\n2,25;2\n",
+                                             "test.csv", strip, {});
+        const auto points = readMaterialTest("force (N),elongation (mm)\n0,0\n1.5,1.25\n2.25,2\n",
+                                             "test.csv", strip, {});
+        QVERIFY2(bool(commas), commas ? "" : commas.message().english().c_str());
+        QVERIFY(bool(points));
+        QCOMPARE(commas->size(), points->size());
+        for (std::size_t i = 0; i < points->size(); ++i) {
+            QCOMPARE((*commas)[i].force, (*points)[i].force);
+            QCOMPARE((*commas)[i].elongation, (*points)[i].elongation);
+        }
+    }
+
     void badTablesAreExplained()
     {
         QFETCH(QString, text);

@@ -64,9 +64,13 @@ QString countsText(const MeshImport& made)
 {
     QStringList links;
     if (made.rods > 0)
-        links << ImportDialog::tr("%1 rods").arg(QLocale().toString(qulonglong(made.rods)));
+        links << (made.rods == 1
+                      ? ImportDialog::tr("1 rod")
+                      : ImportDialog::tr("%1 rods").arg(QLocale().toString(qulonglong(made.rods))));
     if (made.springs > 0)
-        links << ImportDialog::tr("%1 springs").arg(QLocale().toString(qulonglong(made.springs)));
+        links << (made.springs == 1 ? ImportDialog::tr("1 spring")
+                                    : ImportDialog::tr("%1 springs")
+                                          .arg(QLocale().toString(qulonglong(made.springs))));
     if (links.isEmpty())
         links << ImportDialog::tr("no links");
     return QStringList{counted(Kind::Particle, qsizetype(made.particles)), links.join(", "),

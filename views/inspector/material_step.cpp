@@ -27,7 +27,7 @@ QString changesInWords(const Preset& preset, const Material& before)
 {
     QStringList words;
     for (const Message& change : changesBy(preset, before))
-        words << translated(change);
+        words << translated(change).trimmed(); // a number without a unit ends in a blank
     return words.join(QStringLiteral(", "));
 }
 

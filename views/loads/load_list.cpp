@@ -11,12 +11,24 @@
 
 #include <QHeaderView>
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
 constexpr double nearBreaking = 0.8; // 1, from where on a margin has a sign
 
+constexpr double rounding = 1e-6; // 1, of a margin: what lies at rest bears no more
+
 constexpr int digits = 3; // which is more than is known of what breaks
+
+// Far from breaking, digits tell nothing, and would take the room of names.
+QString marginText(double margin)
+{
+    constexpr double least = 0.001;
+    return margin < least ? QStringLiteral("< ") + spokenText(least, {}, digits)
+                          : spokenText(margin, {}, digits);
+}
 
 QString amount(double value, LoadKind kind) { return spokenText(value, unitOf(kind), digits); }
 
@@ -78,6 +90,9 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
 {
     const QList<QTreeWidgetItem*> marked = selectedItems();
     const quint32 held = marked.isEmpty() ? 0 : marked[0]->data(Place, Qt::UserRole).toUInt();
+    const auto end = std::ranges::find_if( // the worst come first
+        places, [](const LoadedPlace& place) { return place.margin() < rounding; });
+    places = places.first(std::size_t(end - places.begin()));
     while (topLevelItemCount() > int(places.size()))
         delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < int(places.size()))
@@ -85,7 +100,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
     for (int row = 0; row < int(places.size()); ++row) {
         const LoadedPlace& place = places[std::size_t(row)];
         QTreeWidgetItem& item = *topLevelItem(row);
-        item.setText(Margin, spokenText(place.margin(), {}, digits));
+        item.setText(Margin, marginText(place.margin()));
         item.setIcon(Margin, signOf(place.margin()));
         const QString words = placeWords(scene, Id{place.element});
         item.setText(Place, place.torn ? tr("%1: torn").arg(words) : words);
