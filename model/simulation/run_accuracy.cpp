@@ -41,7 +41,7 @@ Message RunAccuracy::complaint() const
 
 Message RunAccuracy::dampingComplaint() const
 {
-    if (damping <= mostDamping)
+    if (!isMet() || damping <= mostDamping)
         return {};
     const Message ratio = Message::number("%.2g", 100.0 * damping);
     const Message fastest = Message::number("%.3g", fastestSwing);

@@ -43,7 +43,8 @@ struct RunAccuracy
     // A sentence for people where it is not met; empty where it is.
     Message complaint() const;
 
-    // The same where the steps damp the motion by more than `mostDamping`.
+    // The same where it is met, and the steps damp the motion by more than `mostDamping`: forces
+    // that are not true come first.
     Message dampingComplaint() const;
 };
 

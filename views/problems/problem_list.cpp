@@ -36,14 +36,14 @@ QIcon signOf(Severity severity)
                : tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f));
 }
 
+// At most one, since what is wrong with forces comes first.
 std::vector<Finding> untruthsOf(const RunAccuracy& accuracy)
 {
-    std::vector<Finding> found;
-    if (const Message complaint = accuracy.complaint(); !complaint.empty())
-        found.push_back({Severity::Warning, complaint, {Id{accuracy.worstLink}}});
+    if (!accuracy.isMet())
+        return {{Severity::Warning, accuracy.complaint(), {Id{accuracy.worstLink}}}};
     if (const Message complaint = accuracy.dampingComplaint(); !complaint.empty())
-        found.push_back({Severity::Warning, complaint, {}});
-    return found;
+        return {{Severity::Warning, complaint, {}}};
+    return {};
 }
 
 } // namespace
@@ -113,7 +113,7 @@ void ProblemList::noteStop(const QString& why, quint32 culprit)
     rebuild();
 }
 
-// The sentences about the accuracy have figures of now; once in a while is enough to read them.
+// The sentence about the accuracy has figures of now; once in a while is enough to read them.
 void ProblemList::noteFrame(const Frame& frame)
 {
     const bool goesOn = frame.stopped.empty() && !m_stops.empty();

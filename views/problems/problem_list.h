@@ -50,8 +50,8 @@ private:
     Player& m_player;
     std::vector<Finding> m_problems;
     std::vector<Finding> m_stops;  // why the run stopped, at most one
-    std::vector<Finding> m_untrue; // that the run is not as true as wanted, at most two
-    QElapsedTimer m_sinceUntrue;   // their figures change with each frame
+    std::vector<Finding> m_untrue; // that the run is not as true as wanted, at most one
+    QElapsedTimer m_sinceUntrue;   // its figures change with each frame
     QTimer m_delay;
     QWidget* m_side; // with the pages, gone where only the list beside has something to tell
     QStackedLayout* m_pages;
