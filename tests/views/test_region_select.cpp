@@ -464,11 +464,15 @@ private slots:
             QTest::qWait(50); // longer than from a move to a look
             return view.viewport.pointing().hovered();
         };
-        QTRY_COMPARE(hovered(), sheets.particle(true, 2, 2));
+        const Id under = sheets.particle(true, 2, 2);
+        QVERIFY(QTest::qWaitFor([&] { return hovered() == under; }));
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&view.viewport, &leave);
         QCOMPARE(view.viewport.pointing().hovered(), noId);
-        QCOMPARE(named.count(), 2);
+        // Changes alone are told, however often the real mouse left in between.
+        for (int i = 0; i < named.count(); ++i)
+            QCOMPARE(named.at(i).at(0).value<Id>(), i % 2 == 0 ? under : noId);
+        QCOMPARE(named.count() % 2, 0);
     }
 };
 
