@@ -245,12 +245,15 @@ double DirectSolver::energyLeft(double share) const
     return twice;
 }
 
-// Of a move that went only part of its way.
+// Of a move that went only part of its way. What the linear system gave for the whole of it does not
+// let go a line that is too long there: the sum counts it, and no way without it leads down.
 void DirectSolver::takeShare(double share)
 {
     m_pulls = 0.0;
     for (Bar& bar : m_bars) {
         bar.multiplier = bar.before + share * (bar.multiplier - bar.before);
+        if (bar.multiplier * excess(bar) < 0.0)
+            bar.multiplier = 0.0;
         m_pulls += energyOfPull(bar);
     }
     m_panels.settle(share);
