@@ -16,4 +16,17 @@ void runPass(ParticlePass pass, Integrator integrator, const ParticleMotion& mot
     (wideMachine ? wide::run : anywhere::run)(pass, integrator, motion, first, last);
 }
 
+void lookBackAsFar(State& state, double h, ThreadPool& pool)
+{
+    const double share = h / state.driftSubstep;
+    pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3 now = state.velocity[i];
+            state.velocityBefore[i] = Vec3(now + share * (state.velocityBefore[i] - now));
+            state.drift[i] = Vec3(now + share * (state.drift[i] - now));
+        }
+    });
+    state.driftSubstep = h;
+}
+
 } // namespace ripstop

@@ -2,6 +2,7 @@
 // did to positions into velocity.
 #pragma once
 
+#include "parallel/thread_pool.h"
 #include "system/system.h"
 
 #include <cstddef>
@@ -36,6 +37,10 @@ enum class ParticlePass {
 
 // The length of a substep, s, by which rods move what they pull: x - y = reach^2 a.
 double reachOf(Integrator integrator, double h, bool drifts);
+
+// What BDF2 looks back to where the substep is not as long as the last one: what was a substep of h
+// ago, if things were accelerated then as they were since.
+void lookBackAsFar(State& state, double h, ThreadPool& pool);
 
 // For particles first .. last - 1.
 void runPass(ParticlePass pass, Integrator integrator, const ParticleMotion& motion,

@@ -74,7 +74,7 @@ int Stepper::step(const System& system, State& state)
         m_clock.lap(StepStage::Contact);
     }
     if (m_integrator == Integrator::Bdf2 && state.driftSubstep > 0.0 && state.driftSubstep != h)
-        lookBackAsFar(state, h);
+        lookBackAsFar(state, h, m_pool);
     const double startTime = state.time;
     advanceGusts(system, state);
     m_keep = portableExp(-system.viscosity * h);
@@ -189,7 +189,7 @@ int Stepper::substepsForDamping(const System& system, const State& state) const
                : ripstop::substepsForDamping(system, state, dampsImplicitly(system), m_damping);
 }
 
-// Whether what forces take from motion joins the masses (dampImplicitly()).
+// Whether what forces take from motion joins the masses (end_loads.h).
 bool Stepper::dampsImplicitly(const System& system) const
 {
     return system.solver == Solver::Auto && m_plan.together && isImplicit(m_integrator)
@@ -255,26 +255,23 @@ void Stepper::substep(RodTask& task, State& state, double h)
         m_scratch = state.velocity;
     if (isBdf2)
         move(ParticlePass::Foresee, system, state, h);
-    fillAccelerations(system, state, h);
-    if (dampsImplicitly(system)) {
-        fillDamping(system, state, m_damping);
-        dropAcrossGuides(system, m_damping.at);
-        task.damping = m_damping.at;
-        dampImplicitly(system, state, task.h, state.velocity, state.driftSubstep == h);
-        m_clock.lap(StepStage::Air);
-    }
+    const bool foresees = isBdf2 && state.driftSubstep == h;
+    const std::span<const PaddedVec3> earlier = state.velocityBefore;
+    fillLoads(task, state, h,
+              {state.velocity, state.velocity, foresees ? earlier : earlier.first(0)});
     if (m_integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
-    move(ParticlePass::Predict, system, state, h);
-    m_pinWays.lookBack(state, m_before, h);
-    m_clock.lap(StepStage::Motion);
-    noteRodLengths(system, state);
-    m_clock.lap(StepStage::Tearing);
+    const bool mayCorrect = foresees && dampsImplicitly(system);
+    if (mayCorrect)
+        m_velocityBefore = state.velocityBefore;
+    predict(system, state, h);
     const SurfaceSearch search(system, m_before, m_came, m_placed, h);
     if (solvesContact(system))
         task.contacts = &search;
     project(task, state, h);
     m_clock.lap(StepStage::Rods);
+    if (mayCorrect && hasTurnedFromForeseen(system, state, m_before, h))
+        correctLoads(task, state, h);
     const bool impact = isBdf2 && m_rods.hasImpact();
     if (impact && state.driftSubstep == h)
         beginAnew(task, state, h);
@@ -323,21 +320,6 @@ bool Stepper::beginsBdf2(const System& system, const State& state) const
            && std::ranges::all_of(system.rods, [](const Rod& rod) { return rod.compliance > 0.0; });
 }
 
-// What BDF2 looks back to where the substep is not as long as the last one: what was a substep of h
-// ago, if things were accelerated then as they were since.
-void Stepper::lookBackAsFar(State& state, double h)
-{
-    const double share = h / state.driftSubstep;
-    m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Vec3 now = state.velocity[i];
-            state.velocityBefore[i] = Vec3(now + share * (state.velocityBefore[i] - now));
-            state.drift[i] = Vec3(now + share * (state.drift[i] - now));
-        }
-    });
-    state.driftSubstep = h;
-}
-
 // Whether nothing acts that may differ from one substep to the next.
 bool Stepper::isSteady(const System& system, const State& state) const
 {
@@ -372,24 +354,44 @@ void Stepper::fillAccelerations(const System& system, const State& state, double
     m_clock.lap(StepStage::Sum);
 }
 
-// Forces F that fall by D for each m/s are not those of the velocity v* of now but of the one, v,
-// that they lead to: (m + k D) v = m v0 + k (F + D v*), k being the reach and v0 what BDF2 begins
-// with, or v*. Without that, light cloth in a wind would need many substeps.
-//   now  [particles]  m/s, at the start of the substep
-void Stepper::dampImplicitly(const System& system, const State& state, double reach,
-                             std::span<const PaddedVec3> now, bool drifts)
+// Puts the loads of where things are now in place of those that the substep began with.
+void Stepper::fillLoads(RodTask& task, const State& state, double h,
+                        const SeenVelocities& velocities)
 {
-    m_implicit = m_acceleration;
-    for (std::size_t i = 0; i < m_implicit.size(); ++i) {
-        const Mat3& damping = m_damping.at[i];
-        if (system.inverseMass[i] == 0.0 || damping.isZero(0.0))
-            continue;
-        const Vec3 begin =
-            drifts ? Vec3((4.0 * now[i] - state.velocityBefore[i]) / 3.0) : Vec3(now[i]);
-        const Mat3 inertia = Mat3::Identity() / system.inverseMass[i] + reach * damping;
-        m_implicit[i] +=
-            inertia.inverse() * (damping * (Vec3(now[i]) - begin - reach * m_acceleration[i]));
-    }
+    const System& system = task.system;
+    fillAccelerations(system, state, h);
+    if (!dampsImplicitly(system))
+        return;
+    fillDamping(system, state, m_damping);
+    dropAcrossGuides(system, m_damping.at);
+    task.damping = m_damping.at;
+    withDamping(system, m_damping, task.h, velocities, m_acceleration, m_implicit);
+    m_clock.lap(StepStage::Air);
+}
+
+// Does the substep once more from where it began, with the loads of where it has led.
+void Stepper::correctLoads(RodTask& task, State& state, double h)
+{
+    for (std::size_t i = 0; i < state.position.size(); ++i)
+        if (task.system.inverseMass[i] > 0.0) {
+            state.velocity[i] += (state.position[i] - m_scratch[i]) / task.h;
+            m_scratch[i] = state.velocityBefore[i];
+            state.velocityBefore[i] = m_velocityBefore[i];
+        }
+    fillLoads(task, state, h, {state.velocity, m_scratch, m_velocityBefore});
+    predict(task.system, state, h);
+    project(task, state, h);
+    m_clock.lap(StepStage::Rods);
+}
+
+// Where particles would be without rods.
+void Stepper::predict(const System& system, State& state, double h)
+{
+    move(ParticlePass::Predict, system, state, h);
+    m_pinWays.lookBack(state, m_before, h);
+    m_clock.lap(StepStage::Motion);
+    noteRodLengths(system, state);
+    m_clock.lap(StepStage::Tearing);
 }
 
 // The classical Runge-Kutta method of fourth order, for all but the rods: leaves the mean
@@ -453,7 +455,8 @@ void Stepper::beginAnew(RodTask& task, State& state, double h)
     state.driftSubstep = 0.0;
     task.h = h;
     if (!task.damping.empty())
-        dampImplicitly(task.system, state, h, state.velocityBefore, false);
+        withDamping(task.system, m_damping, h, {state.velocityBefore, state.velocityBefore, {}},
+                    m_acceleration, m_implicit);
     move(ParticlePass::PredictAnew, task.system, state, h);
     project(task, state, h);
     m_clock.lap(StepStage::Rods);

@@ -13,6 +13,7 @@
 #include "forces/forces.h"
 #include "parallel/thread_pool.h"
 #include "step/accuracy.h"
+#include "step/end_loads.h"
 #include "step/inputs.h"
 #include "step/numerical_damping.h"
 #include "step/particle_motion.h"
@@ -96,11 +97,11 @@ private:
     bool dampsImplicitly(const System& system) const;
     bool solvesTogether(const System& system) const; // all rods, as far as they can move
     bool solvesContact(const System& system) const;
-    void dampImplicitly(const System& system, const State& state, double reach,
-                        std::span<const PaddedVec3> now, bool drifts);
+    void fillLoads(RodTask& task, const State& state, double h, const SeenVelocities& velocities);
+    void correctLoads(RodTask& task, State& state, double h);
+    void predict(const System& system, State& state, double h);
     void beginAnew(RodTask& task, State& state, double h);
     bool beginsBdf2(const System& system, const State& state) const;
-    void lookBackAsFar(State& state, double h);
     void takeMeans(const System& system, State& state, double h);
     bool isSteady(const System& system, const State& state) const;
     void move(ParticlePass pass, const System& system, State& state, double h);
@@ -134,8 +135,9 @@ private:
     double m_reach = 0.0;                 // s, of the last substep
     std::vector<double> m_rodLength;      // [rods] m, before projection
     mutable Damping m_damping;            // of forces
-    std::vector<PaddedVec3> m_implicit;   // [particles] m/s^2, of dampImplicitly(), or empty
-    TearScratch m_tearing;                // with room for all that may tear
+    std::vector<PaddedVec3> m_implicit;   // [particles] m/s^2, of withDamping(), or empty
+    std::vector<PaddedVec3> m_velocityBefore; // [particles] m/s, of the substep before, or empty
+    TearScratch m_tearing;                    // with room for all that may tear
     int m_refinement = 1;
     std::size_t m_tears = 0;    // before this time step
     std::uint64_t m_serial = 0; // of the system that m_restLength is of
