@@ -171,6 +171,8 @@ bool rigidRodsHoldStill(const System& system)
     constexpr double enough = 1.0; // (1 / w h)^2
     std::map<int, double> sums;    // of each tree
     for (const Branch& branch : branchesOf(system)) {
+        if (branch.rod == noRod)
+            continue;
         const Rod& rod = system.rods[std::size_t(branch.rod)];
         const double weight =
             system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
@@ -204,17 +206,14 @@ bool rodsAreDamped(const System& system)
         system.rods, [&](const Rod& rod) { return isDamped(rod) || !moves(system, rod); });
 }
 
-// Whether panels that carry a pull are damped, and all rods beside them.
-bool fabricIsDamped(const System& system)
+bool panelsAreDamped(const System& system)
 {
-    return std::ranges::all_of(system.membranes,
-                               [&](const Membrane& membrane) {
-                                   const auto panel = std::size_t(membrane.panel);
-                                   const auto air = std::size_t(system.panels[panel].air);
-                                   const ClothLaw& law = system.cloth[air];
-                                   return !law.isElastic() || law.dampingTime > 0.0;
-                               })
-           && rodsAreDamped(system);
+    return std::ranges::all_of(system.membranes, [&](const Membrane& membrane) {
+        const auto panel = std::size_t(membrane.panel);
+        const auto air = std::size_t(system.panels[panel].air);
+        const ClothLaw& law = system.cloth[air];
+        return !law.isElastic() || law.dampingTime > 0.0;
+    });
 }
 
 // Makes a plan by giving rods away to the global solve, for one reason after the other.
@@ -309,9 +308,8 @@ private:
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        const bool isCalm = m_system.membranes.empty()
-                                ? undampedRodsAreBranches(m_system) && rigidRodsHoldStill(m_system)
-                                : fabricIsDamped(m_system);
+        const bool isCalm = panelsAreDamped(m_system) && undampedRodsAreBranches(m_system)
+                            && rigidRodsHoldStill(m_system);
         return together && isCalm && stiffStepLimit(m_system) >= slowBends * m_system.timeStep
                    ? Integrator::Bdf2
                    : Integrator::SemiImplicitEuler;
