@@ -24,7 +24,7 @@
 // without being damped. One substep is then as true as four of Euler's, so that a quarter of
 // System::substeps are enough, and half of them for what swings on without a damper. Cloth and nets
 // without one, above all those that never stretch, ring like bells with nothing to calm them but
-// what Euler loses, and keep it; pendulums, lines and spars that are held by one end only swing.
+// what Euler loses, and keep it; pendulums, ties and spars that are held by one end only swing.
 // BDF2 that the author wants gets all rods solved together, since it makes what a single sweep
 // leaves over grow.
 //
