@@ -147,7 +147,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_from);
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();
-    if ((m_iterates || !m_panels.empty()) && !task.before.empty())
+    if ((m_iterates || !m_panels.empty() || !task.nearby.empty()) && !task.before.empty())
         startNearer(task, pool);
     else
         measure(pool);
@@ -273,7 +273,8 @@ bool DirectSolver::hasImpact() const
 }
 
 // Where forces and rods are near their balance, as in all that hangs or is in the wind, particles
-// go on as they were: that is a better start than where the forces alone take them.
+// go on as they were: that is a better start than where the forces alone take them. A place nearby
+// that is known is better than either.
 void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
 {
     std::copy_n(m_position.begin(), nodes(), m_from.begin());
@@ -286,6 +287,13 @@ void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
         }
         return loads;
     });
+    if (!task.nearby.empty()) {
+        for (std::size_t i = 0; i < nodes(); ++i) {
+            const Vec3& x = task.nearby[std::size_t(m_particle[i])];
+            m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
+        }
+        return measure(pool);
+    }
     double here = 0.0;
     double nearer = m_loads;
     inOrderedParts(

@@ -29,6 +29,7 @@ struct RodTask
     std::span<PaddedVec3> position;       // [particles] m, corrected in place
     std::span<const PaddedVec3> before = {};       // [particles] m, at the start of the substep
     std::span<const PaddedVec3> acceleration = {}; // [particles] m/s^2, of forces
+    std::span<const PaddedVec3> nearby = {};       // [particles] m, near where it leads, or empty
     std::span<const Mat3> damping = {}; // [particles] N s/m, or empty: forces beside the rods fall
                                         // by it as rods move things; the direct solver's alone
     double tolerance = 3e-4; // 1, of lengths, where iterations of the direct solver may end

@@ -149,11 +149,11 @@ void Stepper::prepare(const System& system, State& state)
         m_integrator =
             system.solver == Solver::Auto ? m_plan.integrator : Integrator::SemiImplicitEuler;
     m_held.resize(solvesContact(system) ? state.position.size() : 0);
-    m_implicit.resize(dampsImplicitly(system) ? state.position.size() : 0);
-    m_tearsByForce =
-        std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
-            return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
-        });
+    for (auto* scratch : {&m_implicit, &m_seen, &m_velocityBefore, &m_nearby})
+        scratch->resize(dampsImplicitly(system) ? state.position.size() : 0);
+    m_tearsByForce = std::ranges::any_of(system.tearableRods, [&](int rod) {
+        return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
+    });
 }
 
 int Stepper::substepsOf(const System& system, const State& state) const
@@ -256,9 +256,9 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (isBdf2)
         move(ParticlePass::Foresee, system, state, h);
     const bool foresees = isBdf2 && state.driftSubstep == h;
-    const std::span<const PaddedVec3> earlier = state.velocityBefore;
+    const std::span earlier(std::as_const(state.velocityBefore));
     fillLoads(task, state, h,
-              {state.velocity, state.velocity, foresees ? earlier : earlier.first(0)});
+              {state.velocity, state.velocity, earlier.first(foresees ? earlier.size() : 0)});
     if (m_integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
     const bool mayCorrect = foresees && dampsImplicitly(system);
@@ -365,6 +365,7 @@ void Stepper::fillLoads(RodTask& task, const State& state, double h,
     fillDamping(system, state, m_damping);
     dropAcrossGuides(system, m_damping.at);
     task.damping = m_damping.at;
+    m_seen.assign(velocities.seen.begin(), velocities.seen.end());
     withDamping(system, m_damping, task.h, velocities, m_acceleration, m_implicit);
     m_clock.lap(StepStage::Air);
 }
@@ -379,12 +380,13 @@ void Stepper::correctLoads(RodTask& task, State& state, double h)
             state.velocityBefore[i] = m_velocityBefore[i];
         }
     fillLoads(task, state, h, {state.velocity, m_scratch, m_velocityBefore});
+    m_nearby = state.position;
     predict(task.system, state, h);
+    task.nearby = m_nearby;
     project(task, state, h);
     m_clock.lap(StepStage::Rods);
 }
 
-// Where particles would be without rods.
 void Stepper::predict(const System& system, State& state, double h)
 {
     move(ParticlePass::Predict, system, state, h);
@@ -455,8 +457,8 @@ void Stepper::beginAnew(RodTask& task, State& state, double h)
     state.driftSubstep = 0.0;
     task.h = h;
     if (!task.damping.empty())
-        withDamping(task.system, m_damping, h, {state.velocityBefore, state.velocityBefore, {}},
-                    m_acceleration, m_implicit);
+        withDamping(task.system, m_damping, h, {m_seen, state.velocityBefore, {}}, m_acceleration,
+                    m_implicit);
     move(ParticlePass::PredictAnew, task.system, state, h);
     project(task, state, h);
     m_clock.lap(StepStage::Rods);

@@ -136,7 +136,9 @@ private:
     std::vector<double> m_rodLength;      // [rods] m, before projection
     mutable Damping m_damping;            // of forces
     std::vector<PaddedVec3> m_implicit;   // [particles] m/s^2, of withDamping(), or empty
+    std::vector<PaddedVec3> m_seen;       // [particles] m/s, by the forces, or empty
     std::vector<PaddedVec3> m_velocityBefore; // [particles] m/s, of the substep before, or empty
+    std::vector<PaddedVec3> m_nearby;         // [particles] m, of correctLoads(), or empty
     TearScratch m_tearing;                    // with room for all that may tear
     int m_refinement = 1;
     std::size_t m_tears = 0;    // before this time step

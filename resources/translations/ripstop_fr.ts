@@ -10376,8 +10376,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>A delta of 5 m and 0.5 oz in a gusty wind. At 15.3 s, after a lull, a gust of 15 m/s snaps its line tight: it pulls with 1.2 kN, and the old pocket along the leading edge, taken to bear 0.075 of the cloth's strength, tears at 400 N/m. Tune the joint efficiency of the border, 0.05 to 0.2; or give sail and border 0.75 oz, which also takes their tear rule and efficiency: with strength and 0.075 again it holds, with a fifth to spare.</source>
-        <translation>Un delta de 5 m en 0,5 oz dans un vent de rafales. À 15,3 s, après une accalmie, une rafale de 15 m/s tend sa ligne d’un coup : elle tire à 1,2 kN, et le vieux fourreau du bord d’attaque, censé garder 0,075 de la résistance de la toile, se déchire à 400 N/m. Réglez la tenue des coutures de « border », de 0,05 à 0,2 ; ou donnez à « sail » et « border » le 0,75 oz, qui leur prend aussi leur règle de rupture et leur tenue des coutures : avec « résistance » et de nouveau 0,075, il tient, avec un cinquième de marge.</translation>
+        <source>A delta of 5 m and 0.5 oz in a gusty wind. At 15.3 s, after a lull, a gust of 15 m/s snaps its line tight: it pulls with 1.2 kN, and the old pocket along the leading edge, taken to bear 0.066 of the cloth's strength, tears at 350 N/m. Tune the joint efficiency of the border, 0.05 to 0.2; or give sail and border 0.75 oz, which also takes their tear rule and efficiency: with strength and 0.066 again it holds, with a fifth to spare.</source>
+        <translation>Un delta de 5 m en 0,5 oz dans un vent de rafales. À 15,3 s, après une accalmie, une rafale de 15 m/s tend sa ligne d’un coup : elle tire à 1,2 kN, et le vieux fourreau du bord d’attaque, censé garder 0,066 de la résistance de la toile, se déchire à 350 N/m. Réglez la tenue des coutures de « border », de 0,05 à 0,2 ; ou donnez à « sail » et « border » le 0,75 oz, qui leur prend aussi leur règle de rupture et leur tenue des coutures : avec « résistance » et de nouveau 0,066, il tient, avec un cinquième de marge.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14936,8 +14936,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>The delta of The last gust in 0.75 oz ripstop, with an old crease: along it 8 % of the cloth's strength is left, painted on the panels. At 15.3 s a gust after a lull tears the sail along the crease, from the trailing edge forwards. Colour the fabric by strength factor to see the crease, and paint it stronger with the brush (U): with 12 % it holds.</source>
-        <translation>Le delta de « La dernière rafale » en ripstop de 0,75 oz, avec un vieux pli : il y reste 8 % de la résistance de la toile, peints sur les panneaux. À 15,3 s, une rafale après une accalmie déchire la voile le long du pli, à partir du bord de fuite. Colorez la toile par le facteur de résistance pour voir le pli, et peignez-le plus fort au pinceau (U) : avec 12 %, elle tient.</translation>
+        <source>The delta of The last gust in 0.75 oz ripstop, with an old crease: along it 5 % of the cloth's strength is left, painted on the panels. At 15.3 s a gust after a lull tears the sail along the crease, from its middle to the trailing edge. Colour the fabric by strength factor to see the crease, and paint it stronger with the brush (U): with 12 % it holds.</source>
+        <translation>Le delta de « La dernière rafale » en ripstop de 0,75 oz, avec un vieux pli : il y reste 5 % de la résistance de la toile, peints sur les panneaux. À 15,3 s, une rafale après une accalmie déchire la voile le long du pli, de son milieu jusqu’au bord de fuite. Colorez la toile par le facteur de résistance pour voir le pli, et peignez-le plus fort au pinceau (U) : avec 12 %, elle tient.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -228,7 +228,8 @@ private slots:
     void fineSailsDoNotLuff()
     {
         QFETCH(int, stepsOfDefault);
-        Scene scene = *build(*findBuilder("delta_kite"), {{"segments", 20.0}});
+        const Builder& delta = *findBuilder("delta_kite");
+        Scene scene = *build(delta, newDesign(delta, {{"segments", 20.0}}));
         scene.settings.timeStep /= stepsOfDefault;
         Simulation simulation(*compile(scene));
         QVERIFY(simulation.runUntil(6.0));
@@ -390,7 +391,8 @@ private slots:
     void polesWithLightTiesAreNot()
     {
         const Builder& flag = *findBuilder("pole_flag");
-        const Scene ideal = *build(flag, {{"cloth", 0.0}}), ofCloth = *build(flag, {});
+        const Scene ideal = *build(flag, {{"cloth", 0.0}});
+        const Scene ofCloth = *build(flag, newDesign(flag, {}));
         QCOMPARE(planFor(**compile(ideal)).integrator, Integrator::Bdf2);
         QCOMPARE(planFor(**compile(ofCloth)).integrator, Integrator::Bdf2);
     }

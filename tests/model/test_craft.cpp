@@ -159,7 +159,7 @@ private slots:
     void lastGustTearsThePocket()
     {
         QFETCH(bool, isHeavier);
-        constexpr double share = 0.075; // 1, that the pocket keeps
+        constexpr double share = 0.066; // 1, that the pocket keeps
         Scene scene = sample("last_gust");
         const auto idOf = [&](std::string_view name) {
             return std::ranges::find_if(
