@@ -2,9 +2,9 @@
 // insertion into it, or a new design with a view of its own. Each change goes through buildSoon(),
 // which waits for a pause in typing, and post(), which reads the form and gives the thread a
 // numbered job; collect() takes the outcome on the thread of the window and drops those of an
-// older number. preview() shows it in the open design, beside its history, unless it has too many
-// particles; takeBack() undoes that before the next preview, before it is accepted and when it is
-// dismissed.
+// older number. preview() shows it in the open design, beside its history, unless a run is shown or
+// it has too many particles; takeBack() undoes that before the next preview, before it is accepted
+// and when it is dismissed.
 #include "dialogs/builder_dialog.h"
 
 #include "author/chosen_materials.h"
@@ -131,8 +131,15 @@ void BuilderDialog::layOut()
     m_lost->setObjectName(QStringLiteral("lost"));
     m_figures->setMinimumHeight(4 * fontMetrics().lineSpacing()); // does not jump as it fills
     m_show->setObjectName(QStringLiteral("show"));
-    m_show->setChecked(true);
-    m_show->setToolTip(tr("The design shows the outcome while this dialog is open."));
+    const bool showsRun = m_open && m_open->showsRun;
+    m_show->setEnabled(!showsRun);
+    m_show->setChecked(!showsRun);
+    if (showsRun)
+        m_show->setText(tr("Show in the view (not in a run)"));
+    m_show->setToolTip(showsRun
+                           ? tr("The view shows a run, which goes on as it is. What is inserted "
+                                "comes into it; to see it before, go back to the start first.")
+                           : tr("The design shows the outcome while this dialog is open."));
     connect(m_show, &QCheckBox::toggled, this, &BuilderDialog::post);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);

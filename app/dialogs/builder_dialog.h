@@ -5,6 +5,9 @@
 // that its shape, its figures and what is wrong with it are always on screen: in the open design
 // when it goes there, and in a view of the dialog's own when it is a new one.
 //
+// While the view shows a run it shows no preview: trying out is an edit, and the run would go on
+// with it. The run, its moment and the camera stay as they are until something is inserted.
+//
 // Accepted, a change of the open design is one step of the history; dismissed, it is none. The
 // dialog is modal because the preview stands in the history until then: another edit would come to
 // lie on it. It lives on the thread of the window; arrivals.h and the rows of the Insert menu open
@@ -42,6 +45,7 @@ struct OpenDesign
     Selection& selection;
     Vec3 focus = Vec3::Zero(); // m, what the view turns about
     Id part = noId;            // to be built again with other parameters; noId inserts a new one
+    bool showsRun = false;     // which a preview in the view would change
 };
 
 class BuilderDialog final : public QDialog

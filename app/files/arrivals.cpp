@@ -42,24 +42,33 @@ void Arrivals::startFrom(const QString& builder)
     emit opened();
 }
 
-// The dialog shows what it inserts in the view, so the view has to show the design and not a run.
+// A dialog that is dismissed has changed nothing: a run that is shown goes on, and the camera is
+// only moved back where a preview has moved it, since it may follow what flies meanwhile.
 void Arrivals::insert(const QString& builder)
 {
     if (!m_isOpen())
         return startFrom(builder);
-    m_viewport.transformTool().goToDesign();
-    BuilderDialog dialog(builder, {m_document, m_selection, m_viewport.camera().focus}, &m_window);
-    connect(&dialog, &BuilderDialog::shown, &m_viewport,
-            [this, &dialog](const std::vector<Id>& bodies) {
-                m_viewport.fit(subjectOf(m_document.scene(), bodies), dialog.frameGeometry());
-            });
     const Camera before = m_viewport.camera();
-    if (dialog.exec() == QDialog::Rejected)
-        m_viewport.look(before); // the preview took it elsewhere
-    else
+    bool hasMoved = false;
+    BuilderDialog dialog(builder,
+                         {.document = m_document,
+                          .selection = m_selection,
+                          .focus = before.focus,
+                          .showsRun = !m_viewport.transformTool().isAtDesign()},
+                         &m_window);
+    connect(&dialog, &BuilderDialog::shown, &m_viewport,
+            [this, &dialog, &hasMoved](const std::vector<Id>& bodies) {
+                m_viewport.fit(subjectOf(m_document.scene(), bodies), dialog.frameGeometry());
+                hasMoved = true;
+            });
+    if (dialog.exec() == QDialog::Rejected) {
+        if (hasMoved)
+            m_viewport.look(before);
+    } else {
         m_viewport.fit(
             subjectOf(m_document.scene(),
                       m_selection.ids())); // with all of the view, now that the dialog is gone
+    }
 }
 
 void Arrivals::importMesh(const QString& file)

@@ -335,6 +335,46 @@ private slots:
         QCOMPARE(shop.count(), rope);
     }
 
+    // The dialog that opens during a run, and is dismissed, leaves the run, its moment and the
+    // camera as they were; what is inserted comes into the run, whose time goes on.
+    void aRunGoesOnBehindTheDialog()
+    {
+        Shop shop(built("rope"));
+        shop.player.playUntil(0.2);
+        QTRY_VERIFY(!shop.player.isPlaying() && shop.frame().time > 0.19);
+        const std::uint64_t run = shop.player.run();
+        const double moment = shop.frame().time;
+        const std::vector<Vec3> places = shop.frame().position;
+        Camera camera = shop.viewport.camera();
+        camera.distance *= 1.5;
+        shop.viewport.look(camera);
+        const Scene before = shop.document.scene();
+        shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            auto* show = dialog.findChild<QCheckBox*>("show");
+            QVERIFY(!show->isEnabled() && !show->isChecked());
+            QVERIFY(show->toolTip().contains("goes on"));
+            QVERIFY(shop.document.scene() == before);
+        });
+        QTest::qWait(50); // for a compile that would be due
+        QCOMPARE(shop.player.run(), run);
+        QCOMPARE(shop.frame().time, moment);
+        QVERIFY(shop.frame().position == places);
+        QVERIFY(shop.document.scene() == before);
+        QCOMPARE(shop.viewport.camera().distance, camera.distance);
+        QCOMPARE(shop.viewport.camera().focus, camera.focus);
+
+        const std::size_t rope = shop.count();
+        shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            okOf(dialog)->click();
+        });
+        QCOMPARE(shop.count(), rope + 12);
+        QTRY_COMPARE(shop.frame().position.size(), rope + 12);
+        QCOMPARE(shop.player.run(), run);
+        QCOMPARE(shop.frame().time, moment);
+    }
+
     // What is no part stands in the menu as well, where people look for a wind.
     void addsWhatIsNoPart()
     {
