@@ -263,6 +263,24 @@ private slots:
         QVERIFY(view.middle() != bare);
     }
 
+    // Colours of values stay those of the legend: an outline marks what is selected then.
+    void theSelectionLeavesColoursOfValues()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        for (const ColorBy colorBy : {ColorBy::Strain, ColorBy::PanelLoad, ColorBy::Material})
+            for (const Id selected : {Id{5}, Id{1}}) { // the panel, the part
+                view.selection.set({});
+                view.viewport.setColorBy(colorBy);
+                const QColor bare = view.middle();
+                const QImage without = view.viewport.image();
+                view.selection.set({selected});
+                QCOMPARE(view.middle() == bare, colorBy != ColorBy::Material);
+                QVERIFY(view.viewport.image() != without);
+            }
+    }
+
     // Without the marks of pins a picture is another one at the three pinned corners, and the view
     // has them again afterwards.
     void picturesMayGoWithoutPins()

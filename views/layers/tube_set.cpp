@@ -42,7 +42,8 @@ constexpr const char* vertexPosition = R"(
   acrossVS = across * side;
   towardsVS = towards;
   pixelsVS = radius / pixel;
-  gl_Position = MCDCMatrix * vec4(here + radius * (side * across + towards), 1.0);
+  float reach = radius + border * pixel;
+  gl_Position = MCDCMatrix * vec4(here + reach * side * across + radius * towards, 1.0);
 )";
 
 constexpr const char* fragmentDeclaration = R"(//VTK::TCoord::Dec
@@ -64,7 +65,8 @@ std::array<float, 3> single(const Vec3& v) { return {float(v.x()), float(v.y()),
 
 } // namespace
 
-TubeSet::TubeSet()
+TubeSet::TubeSet(double border)
+    : m_border(border)
 {
     m_points->SetDataTypeToFloat();
     m_ends->SetNumberOfComponents(3);
@@ -79,7 +81,7 @@ TubeSet::TubeSet()
     m_mesh->GetPointData()->AddArray(m_sides);
     m_mapper->SetInputData(m_mesh);
     m_mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -2.0);
+    m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, border > 0.0 ? 0.0 : -2.0);
     for (const char* name : {"thisEnd", "otherEnd", "sideAndRadius"})
         m_mapper->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS,
                                                 -1);
@@ -93,6 +95,7 @@ TubeSet::TubeSet()
     shader.AddFragmentShaderReplacement("//VTK::Light::Impl", false, fragmentLight, once);
     shader.GetVertexCustomUniforms()->SetUniformf("viewHeight", 600.0F);
     shader.GetVertexCustomUniforms()->SetUniformf("leastWidth", float(leastWidth));
+    shader.GetVertexCustomUniforms()->SetUniformf("border", float(border));
     setShaded(true);
 }
 
@@ -134,8 +137,9 @@ void TubeSet::rebuild(const std::vector<Tube>& tubes, double pixelRatio)
     m_sides->Modified();
     m_points->Modified();
     m_mesh->SetPolys(cellsOf<3>(cells));
-    m_actor->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf(
-        "leastWidth", float(leastWidth * pixelRatio));
+    vtkUniforms& uniforms = *m_actor->GetShaderProperty()->GetVertexCustomUniforms();
+    uniforms.SetUniformf("leastWidth", float(leastWidth * pixelRatio));
+    uniforms.SetUniformf("border", float(m_border * pixelRatio));
 }
 
 void TubeSet::update(std::span<const Vec3> position)

@@ -26,7 +26,9 @@ public:
         double thickness; // m
     };
 
-    TubeSet();
+    // With a border, in pixels on either side, it is the halo of such things: it lies behind them,
+    // so that they keep their colour inside of it.
+    explicit TubeSet(double border = 0.0);
 
     void addTo(vtkRenderer& renderer);
     void setShown(bool shown) { m_actor->SetVisibility(shown); }
@@ -50,6 +52,7 @@ public:
 private:
     void takeHeight(vtkObject* renderer, unsigned long, void*);
 
+    double m_border; // pixels
     std::vector<Tube> m_tubes;
     ColorArray m_colors;
     vtkNew<vtkPoints> m_points;     // [tubes][4] anywhere
