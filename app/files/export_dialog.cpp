@@ -117,11 +117,10 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
         connect(box, &QSpinBox::valueChanged, this, &ExportDialog::showPreview);
     connect(m_source, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseSource);
     connect(&m_watch, &QTimer::timeout, this, &ExportDialog::watch);
-    // a recording that ended where it began is one moment and no flight
-    if (m_recording && !(RecordedFrames(m_recording).end() > RecordedFrames(m_recording).begin()))
+    if (m_recording && !isFlight())
         m_source->setCurrentIndex(m_source->count() - 1);
     chooseSource();
-    if (matter.range) {
+    if (matter.range && isFlight()) {
         m_from->setValue(matter.range->first);
         m_to->setValue(matter.range->second);
     }
@@ -233,6 +232,17 @@ ExportRange ExportDialog::range() const
     return {m_from->value(), std::max(m_to->value(), m_from->value()), perSecond};
 }
 
+// The fields show hundredths of a second: what is recorded begins at the next and ends at the last,
+// so that all between them is in reach.
+std::pair<double, double> ExportDialog::recorded() const
+{
+    const RecordedFrames frames(m_recording);
+    const double begin = std::ceil(100.0 * frames.begin() - 0.01) / 100.0;
+    return {begin, std::max(begin, std::floor(100.0 * frames.end() + 0.01) / 100.0)};
+}
+
+bool ExportDialog::isFlight() const { return m_recording && recorded().first < recorded().second; }
+
 bool ExportDialog::isRecorded() const { return m_recording && m_source->currentIndex() == 0; }
 
 ExportDialog::Job ExportDialog::job() const
@@ -257,10 +267,7 @@ ExportDialog::Job ExportDialog::job() const
 void ExportDialog::chooseSource()
 {
     if (isRecorded()) {
-        const RecordedFrames frames(m_recording);
-        // the fields show hundredths: up, then down, so that all of it is in reach
-        const double begin = std::ceil(100.0 * frames.begin() - 0.01) / 100.0;
-        const double end = std::max(begin, std::floor(100.0 * frames.end() + 0.01) / 100.0);
+        const auto [begin, end] = recorded();
         for (QDoubleSpinBox* box : {m_from, m_to})
             box->setRange(begin, end);
         m_from->setValue(begin);
@@ -340,7 +347,9 @@ void ExportDialog::showPreview()
     if (choice().isFlown())
         text += ' '
                 + (isRecorded() ? tr("It is taken from the recording, as it was flown.")
-                                : tr("The scene is simulated anew from its start."));
+                   : isFlight() ? tr("The scene is simulated anew from its start.")
+                                : tr("No flight is recorded, so the scene is simulated anew from "
+                                     "its start."));
     m_message->setText(text);
 }
 

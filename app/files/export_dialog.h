@@ -100,6 +100,8 @@ private:
     void end(const QString& failure);
 
     const ExportChoice& choice() const;
+    std::pair<double, double> recorded() const; // s, from and to
+    bool isFlight() const;                      // the recording is more than one moment
     bool isRecorded() const;
     ExportRange range() const;
     Job job() const;

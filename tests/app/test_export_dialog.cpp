@@ -16,6 +16,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTemporaryDir>
 
@@ -110,16 +111,28 @@ private slots:
         QCOMPARE(flown.json()["hash"].toString().toStdString(), bundle->manifest.hashAtEnd);
     }
 
-    // A recording that ended where it began, as of a run that got no further than its start, is one
-    // moment, of which no flight can be made: it is simulated, for as long as one likes.
+    // A recording that ended where it began, as of a run that got no further than its start or a
+    // step of 4 ms, which the fields show as 0.00 s, is one moment, of which no flight can be made:
+    // it is simulated, for as long as one likes.
+    void aMomentIsNoFlight_data()
+    {
+        QTest::addColumn<int>("steps");
+        QTest::newRow("at its start") << 0;
+        QTest::newRow("after a step") << 1;
+    }
     void aMomentIsNoFlight()
     {
+        QFETCH(int, steps);
         ExportShop shop;
+        QVERIFY(shop.document.scene().settings.timeStep < 0.005); // s
         Simulation simulation(*compile(shop.document.scene()));
         Recorder recorder;
         recorder.loaded(simulation, {std::make_shared<const Scene>(shop.document.scene()), {}});
         QVERIFY(recorder.beforeStep(simulation));
+        for (int i = 0; i < steps && simulation.step(); ++i)
+            recorder.afterStep(simulation);
         shop.recording = recorder.recording();
+        recorder.finish();
         QVERIFY(shop.recording->frameCount() > 0);
         shop.open(true);
         shop.choose("Table of the probes, CSV");
@@ -127,6 +140,8 @@ private slots:
         QVERIFY(source->currentText().startsWith("Simulated anew"));
         QVERIFY(shop.number("to").value() > 0.0);
         QVERIFY(shop.number("to").maximum() > 100.0);
+        auto* message = shop.dialog->findChild<QLabel*>("message");
+        QVERIFY2(message->text().contains("No flight is recorded"), qPrintable(message->text()));
         source->setCurrentIndex(0); // and back
         QCOMPARE(shop.number("to").value(), 0.0);
         source->setCurrentIndex(1);
