@@ -15,6 +15,7 @@
 #include "document/document.h"
 #include "document/recordings.h"
 #include "document/selection.h"
+#include "inspector/material_test_dialog.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
@@ -110,6 +111,11 @@ void Dialogs::showPolar()
     else
         m_polar = new PolarDialog(m_document, material, &m_window); // deletes itself when closed
     bringUp(*m_polar);
+}
+
+void Dialogs::showMaterialTest()
+{
+    (new MaterialTestDialog(&m_window))->open(); // deletes itself when closed
 }
 
 void Dialogs::showCertify(Recordings& recordings)

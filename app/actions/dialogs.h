@@ -47,6 +47,7 @@ public:
     void showPreferences(const Actions& actions, RunFiles& runFiles);
     void showVerification();                  // runs its cases when they have not been
     void showPolar();                         // of the selected material
+    void showMaterialTest();                  // for an own material
     void showCertify(Recordings& recordings); // which get the certificate
     void showCondition();
     void showRigidity();

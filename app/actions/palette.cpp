@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -39,6 +40,9 @@ Palette::Palette(const QMenuBar& menus, QWidget* parent)
     : QDialog(parent)
     , m_typed(new QLineEdit)
     , m_list(new QTreeWidget)
+    , m_none(
+          new QLabel(tr("No action has all of these words in its name, its menu or its help. Try "
+                        "fewer words, or others.")))
 {
     setWindowTitle(tr("Find an action"));
     for (const QAction* title : menus.actions())
@@ -58,6 +62,7 @@ Palette::Palette(const QMenuBar& menus, QWidget* parent)
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    m_none->setWordWrap(true);
     connect(m_typed, &QLineEdit::textChanged, this, &Palette::fill);
     connect(m_typed, &QLineEdit::returnPressed, this, [this] {
         if (chosen())
@@ -70,6 +75,7 @@ Palette::Palette(const QMenuBar& menus, QWidget* parent)
 
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_typed);
+    layout->addWidget(m_none);
     layout->addWidget(m_list);
     resize(620, 420);
     fill();
@@ -125,6 +131,7 @@ void Palette::fill()
         return aRuns != bRuns ? aRuns : a.first > b.first;
     });
 
+    m_none->setVisible(fitting.isEmpty());
     m_list->clear();
     for (const auto& [fits, entry] : fitting) {
         const QAction& action = *entry->action;

@@ -9,6 +9,7 @@
 #include <QList>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 class QMenu;
 class QMenuBar;
@@ -47,6 +48,7 @@ private:
     QList<Entry> m_entries;
     QLineEdit* m_typed;
     QTreeWidget* m_list;
+    QLabel* m_none; // while nothing answers what is typed
 };
 
 } // namespace ripstop

@@ -13,6 +13,7 @@
 #include "editor/main_window.h"
 #include "editor/tour.h"
 #include "files/templates.h"
+#include "inspector/material_test_dialog.h"
 #include "scene/path.h"
 #include "viewport/viewport.h"
 #include "views/run_with_widgets.h"
@@ -20,6 +21,7 @@
 #include <QAction>
 #include <QInputDialog>
 #include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPushButton>
@@ -146,6 +148,27 @@ private slots:
                     !list->findItems(action->text().remove('&'), Qt::MatchStartsWith).isEmpty(),
                     qPrintable(action->text()));
         });
+    }
+
+    // Dialogs that a button of a panel opens too are found by the words of their names; what is
+    // not found is said.
+    void paletteFindsOrSaysSo()
+    {
+        Editor editor;
+        inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
+            auto* typed = palette.findChild<QLineEdit*>();
+            const auto* none = palette.findChild<QLabel*>();
+            QTest::keyClicks(typed, "from a test");
+            QVERIFY(palette.chosen() == editor.action("materialTest"));
+            QVERIFY(!none->isVisible());
+            typed->setText("zebra");
+            QVERIFY(!palette.chosen());
+            QVERIFY(none->isVisible() && none->text().contains("No action"));
+        });
+        editor.action("materialTest")->trigger();
+        auto* dialog = editor.window.findChild<MaterialTestDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        dialog->close();
     }
 
     void keysAreChangedTakenAndKept()
