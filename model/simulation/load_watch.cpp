@@ -3,6 +3,8 @@
 #include "simulation/load_watch.h"
 
 #include "assembly/split_system.h"
+#include "forces/bend_force.h"
+#include "system/membrane.h"
 #include "system/system.h"
 
 #include <algorithm>
@@ -10,13 +12,35 @@
 namespace ripstop {
 namespace {
 
-// Of links where some are not 1, and of elastic panels.
-std::vector<ElementFactors> factorsOf(const System& system)
+// Whether the place is there and can bear what it could when it was noted: a margin against a
+// strength that is no more tells nothing of what runs.
+bool isAsNoted(const System& system, const JudgedPlaces& judged, const LoadedPlace& place)
 {
-    std::vector<ElementFactors> factors(system.linkFactors.begin(), system.linkFactors.end());
-    for (const Membrane& membrane : system.membranes)
-        factors.push_back(membrane.factors);
-    return factors;
+    const auto isNamed = [&](int link) {
+        return judged.linkName[std::size_t(link)] == place.element;
+    };
+    switch (place.kind) {
+    case LoadKind::Line:
+    case LoadKind::Thread:
+        return std::ranges::any_of(judged.links, [&](const JudgedPlaces::OfLink& one) {
+            return one.kind == place.kind && one.strength == place.strength && isNamed(one.link);
+        });
+    case LoadKind::Cloth:
+        return std::ranges::any_of(judged.panels, [&](const JudgedPlaces::FourPanels& four) {
+            for (std::size_t k = 0; k < 4 && four.membrane[k] >= 0; ++k) {
+                const Membrane& membrane = system.membranes[std::size_t(four.membrane[k])];
+                if (system.panelKey[std::size_t(membrane.panel)] == place.element)
+                    return place.strength == four.warp[k] || place.strength == four.weft[k];
+            }
+            return false;
+        });
+    case LoadKind::Spar:
+        return std::ranges::any_of(judged.spars, [&](const JudgedPlaces::OfSpar& one) {
+            const std::array<int, 2>& of = system.of<BendLists>().list[std::size_t(one.bend)].of;
+            return one.strength == place.strength && std::ranges::any_of(of, isNamed);
+        });
+    }
+    return false;
 }
 
 } // namespace
@@ -44,15 +68,8 @@ void LoadWatch::prepare(const System& system, const State& state)
     m_isKnown = true;
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
-    const std::vector<ElementFactors> factors = factorsOf(system);
-    if (m_strength != system.strength || m_safetyFactor != system.safetyFactor
-        || m_factors != factors)
-        m_ofRun.forget();
-    m_strength = system.strength;
-    m_factors = factors;
-    m_safetyFactor = system.safetyFactor;
     judge(system, state);
-    dropGone(system);
+    dropOthers(system);
 }
 
 void LoadWatch::judge(const System& system, const State& state)
@@ -64,17 +81,15 @@ void LoadWatch::judge(const System& system, const State& state)
             name = origins.link(name);
 }
 
-// What an edit has taken out of the design can no longer be gone to.
-void LoadWatch::dropGone(const System& system)
+// What an edit has taken out of the design can no longer be gone to, and what it has given another
+// strength is judged anew. All else stays, also when other materials and panels have come.
+void LoadWatch::dropOthers(const System& system)
 {
     const WorstPlaces before = m_ofRun;
     m_ofRun.forget();
-    for (const LoadedPlace& place : before.all()) {
-        const std::vector<Key>& keys =
-            place.kind == LoadKind::Cloth ? system.panelKey : m_judged.linkName;
-        if (std::ranges::find(keys, place.element) != keys.end())
+    for (const LoadedPlace& place : before.all())
+        if (isAsNoted(system, m_judged, place))
             m_ofRun.offer(place);
-    }
 }
 
 } // namespace ripstop

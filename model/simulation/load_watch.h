@@ -8,7 +8,6 @@
 #include "measure/margins.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace ripstop {
 
@@ -31,23 +30,20 @@ public:
     // Of the instant, without noting it.
     WorstPlaces now(const System& system, const State& state);
 
-    // Of every step since begin(), or since a strength, a joint or the safety factor was changed
-    // last: a margin against a strength that is no more tells nothing of what runs.
+    // Of every step since begin(); of a place whose strength, joint or safety factor was changed,
+    // of every step since.
     const WorstPlaces& ofRun() const { return m_ofRun; }
 
 private:
     void prepare(const System& system, const State& state);
     void judge(const System& system, const State& state);
-    void dropGone(const System& system);
+    void dropOthers(const System& system);
 
     WorstPlaces m_ofRun;
     bool m_isKnown = false; // what is judged of the system with these serials
     std::uint64_t m_serial = 0;
     std::uint64_t m_valuesSerial = 0;
     JudgedPlaces m_judged;
-    std::vector<Strength> m_strength; // that the list is of
-    std::vector<ElementFactors> m_factors;
-    double m_safetyFactor = 1.0;
 };
 
 } // namespace ripstop

@@ -277,9 +277,9 @@ private slots:
         }
     }
 
-    // A margin against a strength that is no more tells nothing: the list of the run begins anew
-    // with a strength, with the joints and with the safety factor, and goes on with other edits. It
-    // names what the scene has.
+    // A margin against a strength that is no more tells nothing: a place is judged anew with its
+    // strength, with the joints and with the safety factor, and stays with other edits, also with
+    // those that bring other materials, as an import does. The list names what the scene has.
     void listFollowsEdits()
     {
         Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, line(100.0));
@@ -315,6 +315,22 @@ private slots:
         QVERIFY(before.all()[0].time < end);
 
         WorstPlaces now = after(setting(Kind::Settings, "airDensity", settingsId, 0.1));
+        QCOMPARE(now.all()[0], before.all()[0]);
+        const Chain come({Vec3(2, 0, 0), Vec3(2, -1, 0)}, 2, 1.0, line(5.0));
+        Scene more = live.scene();
+        Entry stuff = come.scene.items[0], row = come.scene.items[1];
+        stuff.id = takeId(more);
+        row.id = takeId(more);
+        Part& rows = std::get<Part>(row.item);
+        for (Particle& particle : rows.particles)
+            particle.id = takeId(more);
+        rows.links[0].id = takeId(more);
+        rows.links[0].from = rows.particles[0].id;
+        rows.links[0].to = rows.particles[1].id;
+        rows.links[0].material = stuff.id;
+        now = after({Message("Import"), {AddItem{0, stuff}, AddItem{0, row}}});
+        QCOMPARE(now.all()[0], before.all()[0]);
+        now = after(setting(Kind::Material, "lineStrength", stuff.id, 6.0));
         QCOMPARE(now.all()[0], before.all()[0]);
         now = after(removal(live.scene(), {other.id}));
         QCOMPARE(now.all().size(), 1u);

@@ -140,6 +140,27 @@ private slots:
         QTRY_VERIFY(bench.panel.said().contains("Nothing bears a load yet"));
     }
 
+    // What comes into the design during a run, as by an import, leaves the worst of the run: here
+    // another material with a strength.
+    void theWorstStaysWithWhatComes()
+    {
+        Bench bench(hangingPair(40.0));
+        QTRY_VERIFY(bench.player.frame());
+        bench.player.playUntil(0.1);
+        QTRY_COMPARE(bench.panel.ofRun().topLevelItemCount(), 1);
+        Material cloth;
+        cloth.name = "cloth";
+        cloth.warpStrength = cloth.weftStrength = 600.0; // N/m
+        Scene next = bench.document.scene();
+        const Id id = takeId(next);
+        bench.document.push({Message("Import"), {AddItem{next.items.size(), {id, cloth}}}});
+        bench.player.playUntil(0.2);
+        QTRY_VERIFY(bench.player.isCurrent() && bench.player.frame()->time > 0.19);
+        QTest::qWait(300); // longer than the panel waits
+        QCOMPARE(bench.panel.ofRun().topLevelItemCount(), 1);
+        QVERIFY(bench.player.frame()->worstOfRun.all()[0].time < 0.1);
+    }
+
     // Places change their ranks while one looks at them; those that tore say so.
     void markGoesWithThePlace()
     {
