@@ -370,7 +370,9 @@ private slots:
             okOf(dialog)->click();
         });
         QCOMPARE(shop.count(), rope + 12);
+        const Vec3 focus = shop.viewport.camera().focus; // on what has come
         QTRY_COMPARE(shop.frame().position.size(), rope + 12);
+        QCOMPARE(shop.viewport.camera().focus, focus); // though the middle of all has jumped
         QCOMPARE(shop.player.run(), run);
         QCOMPARE(shop.frame().time, moment);
     }

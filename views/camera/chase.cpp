@@ -19,6 +19,13 @@ Vec3 middleOf(const Frame& frame)
     return count > 0.0 ? Vec3(sum / count) : sum;
 }
 
+// Whether an edit has brought or taken what the middle is of: that has jumped then, and not flown.
+bool areOthers(const Frame& frame, const Frame& before)
+{
+    const Layout &now = *frame.layout, &then = *before.layout;
+    return &now != &then && (now.panelId != then.panelId || now.particleId != then.particleId);
+}
+
 } // namespace
 
 void Chase::set(bool on, const Frame* now)
@@ -41,7 +48,7 @@ void Chase::move(Camera& camera, const Frame& frame, const Frame* before)
         return;
     const bool isShaped =
         frame.step == 0 && before && before->step == 0 && frame.generation != before->generation;
-    if (m_last && !isShaped)
+    if (m_last && !isShaped && !(before && areOthers(frame, *before)))
         camera.focus += middle - *m_last;
     m_last = middle;
 }

@@ -26,7 +26,8 @@ public:
     const std::optional<Vec3>& middle() const { return m_last; } // m, of what it follows
 
     // `before` is the frame that was shown before, or null. What an author does to a design at rest
-    // is to be seen against the ground, so the camera stays then.
+    // is to be seen against the ground, so the camera stays then, and so it does where something
+    // comes into a run or goes out of it.
     void move(Camera& camera, const Frame& frame, const Frame* before);
 
 private:
