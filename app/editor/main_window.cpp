@@ -16,6 +16,7 @@
 #include "editor/empty_hint.h"
 #include "editor/focus_return.h"
 #include "editor/hand_bar.h"
+#include "editor/shown_break.h"
 #include "editor/status_line.h"
 #include "editor/tool_bars.h"
 #include "editor/transform_bar.h"
@@ -193,6 +194,9 @@ void MainWindow::connectParts()
             });
     connect(&m_docks->panel<LoadPanel>(), &LoadPanel::chosen, m_viewport,
             [this](quint32 element) { m_viewport->centre({Id{element}}); });
+    auto* breaks = new ShownBreak(m_player, *m_recordings, *m_viewport, *this);
+    connect(&m_docks->panel<LoadPanel>(), &LoadPanel::breakChosen, breaks, &ShownBreak::show);
+    m_status->hear(*breaks);
     connect(m_recordings, &Recordings::ghostsShown, m_viewport, &Viewport::showGhosts);
     connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear,
             Qt::UniqueConnection); // recordings may have come from a window before

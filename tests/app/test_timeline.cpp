@@ -5,6 +5,7 @@
 #include "document/recordings.h"
 #include "files/run_files.h"
 #include "io/recording_file.h"
+#include "loads/load_panel.h"
 #include "overlays/compass.h"
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"
@@ -71,6 +72,30 @@ private slots:
         const auto toldTears = [&] { return said.filter("tore"); };
         QTRY_VERIFY(!toldTears().isEmpty());
         QVERIFY2(toldTears()[0].contains("structural, link"), qPrintable(toldTears()[0]));
+    }
+
+    // A click on what broke shows its moment, with the place in the middle of the view; another
+    // run does not know that moment, which is said.
+    void aBreakIsGoneTo()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("tear_test.ripstop.json"));
+        shop.fly(3.05);
+        const Tear tear = shop.player.frame()->tears.at(0);
+        auto& loads = shop.window.docks().panel<LoadPanel>();
+        emit loads.breakChosen(shop.player.run(), tear.time, tear.place);
+        QTRY_VERIFY(shop.looksAt(tear.time)); // within 0.01 s
+        QVERIFY(shop.player.frame()->time <= tear.time);
+        QTRY_COMPARE(shop.viewport.camera().focus, tear.place);
+
+        shop.run("backToLive");
+        QString said;
+        connect(shop.window.statusBar(), &QStatusBar::messageChanged, this,
+                [&](const QString& words) { said = words; });
+        emit loads.breakChosen(shop.player.run() + 1, tear.time, tear.place);
+        QVERIFY2(said.contains("is not recorded"), qPrintable(said));
+        QVERIFY(!shop.player.isLookingBack());
+        QCOMPARE(shop.viewport.camera().focus, tear.place);
     }
 
     void looksBackAndReturns()

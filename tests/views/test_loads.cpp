@@ -28,6 +28,27 @@ Scene hangingPair(std::optional<double> strength)
     return scene;
 }
 
+// That with a line of 3 N, which cannot hold the 4.9 N of its weight and breaks at once, and beside
+// it another, of 10 N, that breaks when its weight has fallen 0.3 m and jerks it. Ids: link 4 of
+// the first, link 12 of the second.
+Scene breakingPairs()
+{
+    Scene scene = hangingPair(3.0);
+    auto& material = std::get<Material>(*findItem(scene, Id{5}));
+    material.tearRule = TearRule::Strength;
+    Material other = material;
+    other.name = "cord";
+    other.lineStrength = 10.0; // N
+    auto& part = std::get<Part>(*findItem(scene, Id{1}));
+    part.particles.push_back({.id = Id{10}, .position = Vec3(2, 10, 0), .pinned = true});
+    part.particles.push_back({.id = Id{11}, .position = Vec3(2, 9.3, 0), .mass = 0.5});
+    part.links.push_back(rod(Id{12}, Id{10}, Id{11}, Id{13}));
+    part.links.back().resists = Resists::Tension;
+    scene.items.push_back({Id{13}, other});
+    scene.nextId = Id{14};
+    return scene;
+}
+
 struct Bench
 {
     Document document;
@@ -138,6 +159,37 @@ private slots:
 
         bench.document.replace(hangingPair(40.0));
         QTRY_VERIFY(bench.panel.said().contains("Nothing bears a load yet"));
+    }
+
+    // What broke first stands first, though what broke later was loaded by more, and a click asks
+    // for its moment and place. The fall of 0.3 m takes sqrt(2 x 0.3 / 9.80665) s = 0.247 s.
+    void whatBrokeStandsInItsOrder()
+    {
+        Bench bench(breakingPairs());
+        QTRY_VERIFY(bench.player.frame());
+        bench.player.playUntil(0.4);
+        const LoadList& list = bench.panel.ofRun();
+        QTRY_COMPARE(list.topLevelItemCount(), 2);
+        QCOMPARE(list.topLevelItem(0)->text(LoadList::Place), QString("1. dacron, link 4: torn"));
+        QCOMPARE(list.topLevelItem(1)->text(LoadList::Place), QString("2. cord, link 12: torn"));
+        const auto worst = bench.player.frame()->worstOfRun.all();
+        QCOMPARE(worst[0].element, 12U);
+
+        double time = -1.0;
+        Vec3 place = Vec3::Zero();
+        connect(&bench.panel, &LoadPanel::breakChosen, this,
+                [&](quint64 run, double when, const Vec3& where) {
+                    QCOMPARE(run, bench.player.run());
+                    time = when;
+                    place = where;
+                });
+        const QSignalSpy chosen(&bench.panel, &LoadPanel::chosen);
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {},
+                          list.visualItemRect(list.topLevelItem(1)).center());
+        QCOMPARE(bench.selection.ids(), std::vector{Id{12}});
+        QVERIFY(chosen.isEmpty()); // it is no longer where it broke
+        QVERIFY2(std::abs(time - 0.247) < 0.02, qPrintable(QString::number(time))); // two steps
+        QVERIFY((place - Vec3(2.0, 9.5, 0.0)).norm() < 0.05);
     }
 
     // What comes into the design during a run, as by an import, leaves the worst of the run: here

@@ -214,6 +214,25 @@ void Recordings::seekTime(double time)
         seek(m_current->frameAt(time));
 }
 
+bool Recordings::seekRun(std::uint64_t run, double time)
+{
+    constexpr double between = 0.1; // s, that the next frame of a run under way may be off
+    const auto has = [&](const std::shared_ptr<Recording>& one) {
+        const std::size_t count = one && one->run() == run ? one->frameCount() : 0;
+        return count > 0 && time >= one->timeOf(0) && time <= one->timeOf(count - 1) + between;
+    };
+    if (!has(m_current)) {
+        const auto found = std::ranges::find_if(m_list, has);
+        if (found == m_list.end())
+            return false;
+        makeCurrent(*found);
+    }
+    pause();
+    const std::size_t nearest = m_current->frameAt(time);
+    seek(nearest > 0 && m_current->timeOf(nearest) > time ? nearest - 1 : nearest);
+    return true;
+}
+
 void Recordings::move(std::ptrdiff_t frames)
 {
     if (!m_current || m_current->frameCount() == 0)

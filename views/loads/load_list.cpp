@@ -77,8 +77,8 @@ LoadList::LoadList(const QString& title, const QString& name, QWidget* parent)
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setSectionResizeMode(Place, QHeaderView::Stretch);
-    const auto choose = [this](const QTreeWidgetItem* item) {
-        emit chosen(item->data(Place, Qt::UserRole).toUInt());
+    const auto choose = [this](QTreeWidgetItem* item) {
+        emit chosen(m_places[std::size_t(indexOfTopLevelItem(item))]);
     };
     connect(this, &QTreeWidget::itemClicked, this, choose);
     connect(this, &QTreeWidget::itemActivated, this, choose);
@@ -91,8 +91,10 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
     const QList<QTreeWidgetItem*> marked = selectedItems();
     const quint32 held = marked.isEmpty() ? 0 : marked[0]->data(Place, Qt::UserRole).toUInt();
     const auto end = std::ranges::find_if( // the worst come first
-        places, [](const LoadedPlace& place) { return place.margin() < rounding; });
+        places, [](const LoadedPlace& place) { return !place.torn && place.margin() < rounding; });
     places = places.first(std::size_t(end - places.begin()));
+    m_places.assign(places.begin(), places.end());
+    int torn = 0; // so far
     while (topLevelItemCount() > int(places.size()))
         delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < int(places.size()))
@@ -100,16 +102,17 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
     for (int row = 0; row < int(places.size()); ++row) {
         const LoadedPlace& place = places[std::size_t(row)];
         QTreeWidgetItem& item = *topLevelItem(row);
-        item.setText(Margin, marginText(place.margin()));
-        item.setIcon(Margin, signOf(place.margin()));
+        const bool isJudged = place.strength > 0.0;
+        item.setText(Margin, isJudged ? marginText(place.margin()) : QString());
+        item.setIcon(Margin, signOf(isJudged ? place.margin() : 1.0));
         const QString words = placeWords(scene, Id{place.element});
-        item.setText(Place, place.torn ? tr("%1: torn").arg(words) : words);
+        item.setText(Place, place.torn ? tr("%1. %2: torn").arg(++torn).arg(words) : words);
         item.setData(Place, Qt::UserRole, place.element);
         item.setSelected(held != 0 && place.element == held);
         item.setToolTip(Place, shownAsIs(describe(scene, {Id{place.element}})));
         item.setText(Load, amount(place.load, place.kind));
         item.setToolTip(Load, loadWords(place.kind));
-        item.setText(Strength, amount(place.strength, place.kind));
+        item.setText(Strength, isJudged ? amount(place.strength, place.kind) : QString());
         item.setText(Time, spokenText(place.time, "s"));
         for (const Column column : {Margin, Load, Strength, Time})
             item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);

@@ -1,4 +1,5 @@
-// One list of loaded places: what it is, what it bears of what it could, and when.
+// One list of loaded places: what it is, what it bears of what it could, and when. Those that have
+// torn are numbered in the order in which they are given; one without a strength has no margin.
 //
 // Rows are changed where they stand, so that a list that follows a run can be clicked; what was
 // chosen stays marked where it goes.
@@ -7,6 +8,9 @@
 #include "laws/load_margin.h"
 
 #include <QTreeWidget>
+
+#include <span>
+#include <vector>
 
 namespace ripstop {
 
@@ -26,7 +30,10 @@ public:
     void showPlaces(const Scene& scene, std::span<const LoadedPlace> places);
 
 signals:
-    void chosen(quint32 element);
+    void chosen(const ripstop::LoadedPlace& place);
+
+private:
+    std::vector<LoadedPlace> m_places; // of the rows
 };
 
 } // namespace ripstop

@@ -18,12 +18,15 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ripstop {
 namespace {
 
 constexpr int pause = 200; // ms, between two looks; more cannot be read
+
+constexpr std::size_t mostBroken = 10; // that are listed; a rip goes through hundreds
 
 QString helpOfMaterials()
 {
@@ -44,6 +47,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     , m_ofRun(new LoadList(tr("Worst of the run"), tr("Worst places of the run")))
     , m_unjudged(new QLabel)
     , m_untearable(new QLabel)
+    , m_more(new QLabel)
     , m_launch(new QLabel)
 {
     m_pages->addWidget(emptyPage());
@@ -64,6 +68,8 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     };
     connect(&document, &Document::replaced, this, [this, edited] {
         m_worst = {}; // its places are those of another design
+        m_broken.clear();
+        m_breaks = 0;
         edited();
     });
     connect(&document, &Document::changed, this, edited);
@@ -98,11 +104,15 @@ QWidget* LoadPanel::listPage()
         list->setToolTip(help);
         lists->addWidget(list);
     }
+    m_ofRun->setToolTip(
+        tr("%1 What has broken stands first, in the order in which it did; a click on it goes to "
+           "that moment where it is recorded.")
+            .arg(help));
     m_now->hideColumn(LoadList::Time);
     lists->setChildrenCollapsible(false);
     lists->setStretchFactor(0, 5); // it has no times
     lists->setStretchFactor(1, 6);
-    for (QLabel* note : {m_unjudged, m_untearable, m_launch}) {
+    for (QLabel* note : {m_more, m_unjudged, m_untearable, m_launch}) {
         note->setWordWrap(true);
         note->setMargin(4);
         note->setTextFormat(Qt::RichText);
@@ -118,6 +128,7 @@ QWidget* LoadPanel::listPage()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(lists, 1);
+    layout->addWidget(m_more);
     layout->addWidget(m_unjudged);
     layout->addWidget(m_untearable);
     layout->addWidget(m_launch);
@@ -135,10 +146,13 @@ void LoadPanel::showEvent(QShowEvent* event)
     refresh();
 }
 
-void LoadPanel::choose(quint32 element)
+void LoadPanel::choose(const LoadedPlace& place)
 {
-    m_selection.set({Id{element}});
-    emit chosen(element);
+    m_selection.set({Id{place.element}});
+    if (place.torn)
+        emit breakChosen(m_run, place.time, place.place);
+    else
+        emit chosen(place.element);
 }
 
 void LoadPanel::catchUp()
@@ -156,6 +170,9 @@ void LoadPanel::noteWorst()
         return;
     m_worst = newest->worstOfRun;
     m_run = newest->run;
+    m_breaks = newest->tears.size();
+    const auto first = newest->tears.begin();
+    m_broken.assign(first, first + std::ptrdiff_t(std::min(m_breaks, mostBroken)));
 }
 
 // Whether what is seen is the design, and not a run nor a moment of one.
@@ -165,18 +182,57 @@ bool LoadPanel::isBeforeRun() const
     return shown && !shown->underWay && shown->run != m_run && !m_player.isLookingBack();
 }
 
-// Of the newest run, whether it is seen, looked back at or was reset: no recording keeps its own.
-WorstPlaces LoadPanel::worstOfRun() const
+// Whether what is known of the newest run is what is seen of it, looked back at or was reset: no
+// recording keeps its own.
+bool LoadPanel::isOfRun() const
 {
     const Frame* shown = m_player.frame().get();
-    return shown && (shown->run == m_run || isBeforeRun()) ? m_worst : WorstPlaces{};
+    return shown && (shown->run == m_run || isBeforeRun());
+}
+
+WorstPlaces LoadPanel::worstOfRun() const { return isOfRun() ? m_worst : WorstPlaces{}; }
+
+// What broke first may not be among the worst: of one material these are three, and what breaks by
+// another rule has no strength. What an edit has taken away can no longer be gone to.
+std::vector<LoadedPlace> LoadPanel::brokenOfRun(const WorstPlaces& worst) const
+{
+    std::vector<LoadedPlace> broken;
+    for (const LoadedPlace& place : worst.all())
+        if (place.torn)
+            broken.push_back(place);
+    for (const Tear& tear : isOfRun() ? m_broken : std::vector<Tear>()) {
+        const auto row = ripstop::find(m_document.scene(), Id{tear.element});
+        if (!row || std::ranges::find(broken, tear.element, &LoadedPlace::element) != broken.end())
+            continue;
+        LoadedPlace place;
+        place.element = tear.element;
+        place.kind = tear.length == 0.0            ? LoadKind::Spar
+                     : kindOf(*row) == Kind::Panel ? LoadKind::Cloth
+                                                   : LoadKind::Line;
+        place.load = tear.force;
+        place.time = tear.time;
+        place.place = tear.place;
+        place.torn = true;
+        broken.push_back(place);
+    }
+    std::ranges::stable_sort(broken, {}, &LoadedPlace::time);
+    return broken;
+}
+
+std::vector<LoadedPlace> LoadPanel::placesOfRun(const WorstPlaces& worst) const
+{
+    std::vector<LoadedPlace> places = brokenOfRun(worst);
+    std::ranges::copy_if(worst.all(), std::back_inserter(places),
+                         [](const LoadedPlace& place) { return !place.torn; });
+    return places;
 }
 
 void LoadPanel::refresh()
 {
     const Frame* frame = m_player.frame().get();
     const WorstPlaces ofRun = worstOfRun();
-    const bool isListed = frame && !(frame->worstNow.all().empty() && ofRun.all().empty());
+    const std::vector<LoadedPlace> places = placesOfRun(ofRun);
+    const bool isListed = frame && !(frame->worstNow.all().empty() && places.empty());
     m_pages->setCurrentIndex(isListed ? 1 : 0);
     if (!isListed)
         return tellWhyNone(frame);
@@ -184,7 +240,8 @@ void LoadPanel::refresh()
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
     m_ofRun->setTitle(isBeforeRun() ? tr("Of the last run") : tr("Worst of the run"));
-    m_ofRun->showPlaces(m_document.scene(), ofRun.all());
+    m_ofRun->showPlaces(m_document.scene(), places);
+    showMore();
     showLaunch(*frame, ofRun);
     if (std::exchange(m_isEdited, false)) {
         showUnjudged();
@@ -219,6 +276,17 @@ void LoadPanel::showUntearable()
         tr("Never tears: %1. %2")
             .arg(namesOf(holding), QStringLiteral("<a href=\"#\">%1</a>")
                                        .arg(tr("Let it tear by its strength").toHtmlEscaped())));
+}
+
+void LoadPanel::showMore()
+{
+    const bool isMore = isOfRun() && m_breaks > mostBroken;
+    m_more->setVisible(isMore);
+    if (isMore)
+        m_more->setText(
+            tr("%1 places have broken: the list has those that broke first, and the worst "
+               "of the others.")
+                .arg(m_breaks));
 }
 
 // A kite that is let go at rest in full wind is jerked by a multiple of what a gust does later, and

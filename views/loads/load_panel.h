@@ -1,6 +1,8 @@
 // What is nearest to breaking: the ten places with the most load for their strength, of the instant
 // that is shown and of the run so far (laws/load_margin.h).
 //
+// Of the run, what has broken stands before what holds, in the order in which it broke.
+//
 // A click selects a place and asks for it to come to the middle of the view. What carries a load
 // and has no strength is named below the lists, and so is what has one but never tears, with a link
 // that lets it tear; where nothing has a strength, the panel says how to give one. It follows the
@@ -14,6 +16,8 @@
 
 #include <QTimer>
 #include <QWidget>
+
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -42,6 +46,8 @@ public:
 
 signals:
     void chosen(quint32 element); // that the view is to show in its middle
+    // What has broken in that run, at a time (s) and a place (m), which are to be shown.
+    void breakChosen(quint64 run, double time, const ripstop::Vec3& place);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -49,15 +55,19 @@ protected:
 private:
     QWidget* emptyPage();
     QWidget* listPage();
-    void choose(quint32 element);
+    void choose(const LoadedPlace& place);
     void noteWorst();
     bool isBeforeRun() const;
     WorstPlaces worstOfRun() const;
+    std::vector<LoadedPlace> brokenOfRun(const WorstPlaces& worst) const;
+    std::vector<LoadedPlace> placesOfRun(const WorstPlaces& worst) const;
+    bool isOfRun() const;
     void refresh();
     void tellWhyNone(const Frame* frame);
     void showUnjudged();
     void selectUnjudged();
     void showUntearable();
+    void showMore();
     void showLaunch(const Frame& frame, const WorstPlaces& ofRun);
     void letTear();
     QString namesOf(const std::vector<Id>& materials) const;
@@ -71,12 +81,15 @@ private:
     QPushButton* m_materials;
     LoadList* m_now;
     LoadList* m_ofRun;
-    QLabel* m_unjudged;      // materials without a strength, below the lists
-    QLabel* m_untearable;    // materials that hold beyond theirs, likewise
-    QLabel* m_launch;        // that the worst of the run was the launch
-    bool m_isEdited = true;  // since those were found
-    WorstPlaces m_worst;     // of the newest run that left the design, also when it was reset
-    std::uint64_t m_run = 0; // that run
+    QLabel* m_unjudged;         // materials without a strength, below the lists
+    QLabel* m_untearable;       // materials that hold beyond theirs, likewise
+    QLabel* m_more;             // that more has broken than is listed
+    QLabel* m_launch;           // that the worst of the run was the launch
+    bool m_isEdited = true;     // since those were found
+    WorstPlaces m_worst;        // of the newest run that left the design, also when it was reset
+    std::vector<Tear> m_broken; // the first of that run, in order of time
+    std::size_t m_breaks = 0;   // all of them
+    std::uint64_t m_run = 0;    // that run
 };
 
 } // namespace ripstop

@@ -417,8 +417,13 @@ void Viewport::centre(const std::vector<Id>& ids)
     Vec3 sum = Vec3::Zero();
     for (const Vec3& place : places)
         sum += place;
+    centreAt(sum / double(places.size()));
+}
+
+void Viewport::centreAt(const Vec3& place)
+{
     d->untouched = false;
-    d->camera.focus = sum / double(places.size());
+    d->camera.focus = place;
     d->screen.renderSoon();
     emit cameraChanged();
 }

@@ -85,6 +85,7 @@ public:
     // right of the view, as a dialog does, in pixels of the screen.
     void fit(const std::vector<Id>& ids, const QRect& covered = {});
     void centre(const std::vector<Id>& ids); // from as far as it is seen now
+    void centreAt(const Vec3& place);        // m, likewise
     void look(const Camera& camera);         // shows the view as from there again
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
