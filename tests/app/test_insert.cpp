@@ -2,7 +2,7 @@
 //
 // Stages: the builder dialog for new designs and every builder in it; insertion with a preview;
 // refusals and sliders; then parameters of a part, work by hand that would be lost, and detaching.
-#include "app/window_shop.h"
+#include "app/insert_shop.h"
 #include "author/rebuild.h"
 #include "dialogs/builder_dialog.h"
 #include "document/document.h"
@@ -34,46 +34,7 @@ namespace {
 
 Scene built(const char* name) { return *build(*findBuilder(name), {}); }
 
-struct Shop : WindowShop
-{
-    explicit Shop(Scene scene)
-    {
-        document.replace(std::move(scene));
-        window.show();
-        window.showScene();
-    }
-
-    // Triggers an action whose dialog runs a loop of its own, and does this in it.
-    template <typename Dialog>
-    void during(const char* id, const std::function<void(Dialog&)>& act)
-    {
-        bool found = false;
-        QTimer::singleShot(0, &window, [&] {
-            auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
-            found = dialog;
-            if (dialog)
-                act(*dialog);
-            if (dialog && dialog->isVisible())
-                dialog->reject();
-        });
-        window.actions()[id]->trigger();
-        QVERIFY2(found, id);
-    }
-
-    std::size_t count() const
-    {
-        std::size_t particles = 0;
-        forEachPart(document.scene(),
-                    [&](Id, const Part& part) { particles += part.particles.size(); });
-        return particles;
-    }
-    Id part(std::size_t index) const
-    {
-        std::vector<Id> ids;
-        forEachPart(document.scene(), [&](Id id, const Part&) { ids.push_back(id); });
-        return ids.at(index);
-    }
-};
+using Shop = InsertShop;
 
 QAbstractButton* okOf(QDialog& dialog)
 {

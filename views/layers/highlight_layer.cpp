@@ -1,3 +1,6 @@
+// rebuild() finds what is selected of the picture. Where colours show values it turns panels into
+// their outline, the sides that one of them has alone, and leaves out the mesh inside of it; all of
+// that goes into the halo, which lies behind what it surrounds. update() takes the points.
 #include "layers/highlight_layer.h"
 
 #include "base/key_index.h"
