@@ -26,10 +26,12 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QFileInfo>
+#include <QHelpEvent>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
+#include <QToolTip>
 
 #include <algorithm>
 #include <array>
@@ -96,6 +98,7 @@ QMenu& Menus::menu(const QString& path)
     if (!place)
         place = path.contains('/') ? menu(path.section('/', 0, -2)).addMenu(name)
                                    : m_bench->window.menuBar()->addMenu(name);
+    place->installEventFilter(this);
     return *place;
 }
 
@@ -141,18 +144,39 @@ void Menus::addFilled()
     panels->addActions(m_bench->docks.toggles());
 }
 
+void Menus::enable(QAction& action, bool can, const QString& needed)
+{
+    action.setEnabled(can);
+    action.setWhatsThis(can ? QString() : needed);
+}
+
+// Menus pass over what is grey, so that the status bar says nothing of it.
+bool Menus::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QObject::eventFilter(watched, event);
+    const auto& at = static_cast<const QHelpEvent&>(*event);
+    auto* menu = static_cast<QMenu*>(watched); // only they are watched
+    const QAction* action = menu->actionAt(at.pos());
+    if (!action || action->isEnabled() || action->whatsThis().isEmpty())
+        return QObject::eventFilter(watched, event);
+    QToolTip::showText(at.globalPos(), action->whatsThis(), menu);
+    return true;
+}
+
 void Menus::keepCurrent()
 {
     const Actions& actions = m_bench->actions;
     const QUndoStack& history = m_bench->document.history();
-    actions["undo"]->setEnabled(history.canUndo());
+    enable(*actions["undo"], history.canUndo(), tr("Nothing has been changed yet."));
     actions["undo"]->setText(history.canUndo() ? tr("&Undo: %1").arg(inMenu(history.undoText()))
                                                : tr("&Undo"));
-    actions["redo"]->setEnabled(history.canRedo());
+    enable(*actions["redo"], history.canRedo(), tr("Nothing has been undone."));
     actions["redo"]->setText(history.canRedo() ? tr("&Redo: %1").arg(inMenu(history.redoText()))
                                                : tr("&Redo"));
     for (QAction* action : m_needSelection)
-        action->setEnabled(!m_bench->selection.ids().empty());
+        enable(*action, !m_bench->selection.ids().empty(),
+               tr("Select something first: in the view, in the outline or with the menu Select."));
     const Shaping shaping = m_bench->viewport.transformTool().shaping();
     actions["move"]->setChecked(shaping == Shaping::Move);
     actions["rotate"]->setChecked(shaping == Shaping::Turn);
@@ -213,7 +237,8 @@ void Menus::fillRecent()
             ->addAction(inMenu(QFileInfo(file).fileName()), this,
                         [this, file] { m_bench->files.open(file); })
             ->setToolTip(shownAsIs(file));
-    m_recent->setEnabled(!m_recent->isEmpty());
+    enable(*m_recent->menuAction(), !m_recent->isEmpty(),
+           tr("No scene has been opened or saved yet."));
 }
 
 } // namespace ripstop

@@ -37,11 +37,16 @@ public:
     // What another window has switched on and chosen.
     void takeOver(const Actions& before);
 
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     QMenu& menu(const QString& path);
     void add(const MenuRow& row);
     void addFilled();
     void keepCurrent();
+    // Says what is needed for an action that cannot be taken now, in its help ("What's this?"):
+    // the menu shows it as a tip, and so does the search of actions.
+    static void enable(QAction& action, bool can, const QString& needed);
     void fillRecent();
     void fillTemplates();
 

@@ -139,7 +139,8 @@ void Palette::fill()
             new QTreeWidgetItem(m_list, {entry->name, entry->menu,
                                          action.shortcut().toString(QKeySequence::NativeText)});
         row->setIcon(0, action.icon());
-        row->setToolTip(0, action.statusTip());
+        row->setToolTip(0, action.isEnabled() || action.whatsThis().isEmpty() ? action.statusTip()
+                                                                              : action.whatsThis());
         row->setData(0, commandRole, QVariant::fromValue(entry->action));
         row->setForeground(1, palette().placeholderText());
         if (!action.isEnabled())

@@ -19,14 +19,17 @@
 #include "views/run_with_widgets.h"
 
 #include <QAction>
+#include <QHelpEvent>
 #include <QInputDialog>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolTip>
 #include <QTreeWidget>
 #include <QUndoView>
 #include <QtTest>
@@ -169,6 +172,40 @@ private slots:
         auto* dialog = editor.window.findChild<MaterialTestDialog*>();
         QVERIFY(dialog && dialog->isVisible());
         dialog->close();
+    }
+
+    // What is grey says what it needs, in the menu where the mouse rests and in the palette.
+    void greyActionsSayWhatTheyNeed()
+    {
+        Editor editor;
+        QVERIFY(editor.window.files().open(samples + "cloth.ripstop.json"));
+        QAction* mirror = editor.action("mirror");
+        QVERIFY(!mirror->isEnabled());
+        QMenu* design = nullptr;
+        for (const QAction* title : editor.window.menuBar()->actions())
+            if (title->menu() && title->menu()->actions().contains(mirror))
+                design = title->menu();
+        QVERIFY(design);
+        const auto rest = [&] { // the mouse on it
+            QToolTip::hideText();
+            const QPoint place = design->actionGeometry(mirror).center();
+            QHelpEvent event(QEvent::ToolTip, place, design->mapToGlobal(place));
+            QApplication::sendEvent(design, &event);
+            return QToolTip::isVisible() ? QToolTip::text() : QString();
+        };
+        design->popup({0, 0});
+        QVERIFY2(rest().contains("Select something first"), qPrintable(rest()));
+        design->close();
+        inDialog<Palette>(editor.action("palette"), [](Palette& palette) {
+            QTest::keyClicks(palette.findChild<QLineEdit*>(), "mirror");
+            const auto* list = palette.findChild<QTreeWidget*>();
+            QVERIFY(list->topLevelItem(0)->toolTip(0).contains("Select something first"));
+        });
+        editor.selection.set({editor.document.scene().items.back().id});
+        QVERIFY(mirror->isEnabled());
+        QVERIFY(mirror->whatsThis().isEmpty());
+        for (const char* id : {"undo", "redo"})
+            QVERIFY(editor.action(id)->isEnabled() || !editor.action(id)->whatsThis().isEmpty());
     }
 
     void keysAreChangedTakenAndKept()
