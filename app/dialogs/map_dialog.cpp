@@ -40,7 +40,7 @@ MapDialog::MapDialog(Document& document, Selection& selection, QWidget* parent)
     words->setWordWrap(true);
     m_formula->setText(QStringLiteral("value * (1 - 0.5 * exp(-(x^2 + z^2) / 0.04))"));
     m_formula->setClearButtonEnabled(true);
-    m_picture->setPlaceholderText(tr("none"));
+    m_picture->setPlaceholderText(tr("none", "picture"));
     m_picture->setClearButtonEnabled(true);
     m_verdict->setTextFormat(Qt::PlainText);
     m_verdict->setWordWrap(true);
@@ -88,7 +88,7 @@ void MapDialog::fillNumbers()
         if (!isThere)
             return;
         for (const Property* property : mappableNumbers(kind)) {
-            m_number->addItem(kindPluralLabel(kind) + QStringLiteral(": ") + labelOf(*property));
+            m_number->addItem(labelled(kindPluralLabel(kind), labelOf(*property)));
             m_numbers.push_back(property);
         }
     };

@@ -2,6 +2,7 @@
 
 #include "document/plain_text.h"
 #include "document/time_left.h"
+#include "document/words.h"
 
 #include <QElapsedTimer>
 #include <QEventLoop>
@@ -42,7 +43,7 @@ void workWithProgress(QWidget* parent, const QString& title,
         return QStringLiteral("<qt>%1<br>%2</qt>")
             .arg(asHtml(title), left.isEmpty() ? QStringLiteral("&nbsp;") : asHtml(left));
     };
-    QProgressDialog bar(label({}), QObject::tr("Cancel"), 0, full, parent);
+    QProgressDialog bar(label({}), words("Cancel"), 0, full, parent);
     bar.setWindowModality(Qt::WindowModal);
     bar.setMinimumDuration(showDelay);
     bar.setAutoClose(false);

@@ -34,7 +34,7 @@ QStringList captionOf(const Frame& frame, const FilmLook& look)
         const bool isShare = std::ranges::count(look.inPercent, probe.id) > 0;
         const QString value = std::isfinite(frame.probe[i])
                                   ? readingText(isShare, frame.probe[i], probe.unit)
-                                  : QCoreApplication::translate("Film", "none");
+                                  : QCoreApplication::translate("Film", "none", "value");
         lines << QString::fromStdString(probe.name) + QStringLiteral("  ") + value;
     }
     return lines;

@@ -1696,7 +1696,7 @@
     <message>
         <location filename="draw_operations.cpp"/>
         <source>A rope runs between two particles: select these two.</source>
-        <translation>Une corde court entre deux particules : sélectionner ces deux-là.</translation>
+        <translation>Un cordage court entre deux particules : sélectionner ces deux-là.</translation>
     </message>
     <message>
         <location filename="draw_operations.cpp"/>
@@ -1721,7 +1721,7 @@
     <message>
         <location filename="draw_operations.cpp"/>
         <source>Rope</source>
-        <translation>Corde</translation>
+        <translation>Cordage</translation>
     </message>
     <message>
         <location filename="draw_operations.cpp"/>
@@ -1776,7 +1776,7 @@
     <message>
         <location filename="draw_rows.cpp"/>
         <source>&amp;Rope…</source>
-        <translation>&amp;Corde…</translation>
+        <translation>&amp;Cordage…</translation>
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
@@ -1786,7 +1786,7 @@
     <message>
         <location filename="draw_rows.cpp"/>
         <source>A rope or line of many links between two selected particles.</source>
-        <translation>Une corde ou une ligne de plusieurs liaisons entre deux particules sélectionnées.</translation>
+        <translation>Un cordage ou une ligne de plusieurs liaisons entre deux particules sélectionnées.</translation>
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
@@ -1796,7 +1796,7 @@
     <message>
         <location filename="draw_rows.cpp"/>
         <source>Click from particle to particle, or where one is to be: rods, lines, springs, ropes of many segments.</source>
-        <translation>Cliquer de particule en particule, ou là où il en faut une : tiges, lignes, ressorts, cordes à plusieurs segments.</translation>
+        <translation>Cliquer de particule en particule, ou là où il en faut une : tiges, lignes, ressorts, cordages à plusieurs segments.</translation>
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
@@ -2746,7 +2746,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="file_rows.cpp"/>
         <source>A kite, glider, parachute, cloth or rope from its dimensions.</source>
-        <translation>Un cerf-volant, un deltaplane, un parachute, une toile ou une corde à partir de ses dimensions.</translation>
+        <translation>Un cerf-volant, un deltaplane, un parachute, une toile ou un cordage à partir de ses dimensions.</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
@@ -2831,7 +2831,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="file_rows.cpp"/>
         <source>Save as &amp;template…</source>
-        <translation>Enregistrer &amp;comme modèle…</translation>
+        <translation>Enregistrer &amp;comme gabarit…</translation>
     </message>
     <message>
         <location filename="file_rows.cpp"/>
@@ -2891,7 +2891,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>A study flies the design as it is saved. Save %1 now?</source>
-        <translation>Une étude fait voler la conception telle qu’elle est enregistrée. Enregistrer %1 maintenant ?</translation>
+        <translation>Une étude fait voler le modèle tel qu’il est enregistré. Enregistrer %1 maintenant ?</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2911,7 +2911,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>Cannot open the template</source>
-        <translation>Impossible d’ouvrir le modèle</translation>
+        <translation>Impossible d’ouvrir le gabarit</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2926,7 +2926,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>Cannot save the template</source>
-        <translation>Impossible d’enregistrer le modèle</translation>
+        <translation>Impossible d’enregistrer le gabarit</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2941,7 +2941,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>Name of the template:</source>
-        <translation>Nom du modèle :</translation>
+        <translation>Nom du gabarit :</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2961,12 +2961,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>Save as template</source>
-        <translation>Enregistrer comme modèle</translation>
+        <translation>Enregistrer comme gabarit</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
         <source>Save the design?</source>
-        <translation>Enregistrer la conception ?</translation>
+        <translation>Enregistrer le modèle ?</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -2986,12 +2986,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="files.cpp"/>
         <source>Saved the template %1</source>
-        <translation>Modèle %1 enregistré</translation>
+        <translation>Gabarit %1 enregistré</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
         <source>There is a template %1. Replace it?</source>
-        <translation>Il existe un modèle %1. Le remplacer ?</translation>
+        <translation>Il existe un gabarit %1. Le remplacer ?</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -3056,7 +3056,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="film_look.cpp"/>
         <source>none</source>
-        <translation>aucun</translation>
+        <comment>value</comment>
+        <translation>aucune</translation>
     </message>
     <message>
         <location filename="flight_curves.cpp"/>
@@ -3191,7 +3192,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="goal_form.cpp"/>
         <source>A measure that may be at most or has to be at least some value in a good design.</source>
-        <translation>Une mesure qui, dans une bonne conception, ne dépasse pas une valeur ou l’atteint au moins.</translation>
+        <translation>Une mesure qui, dans un bon modèle, ne dépasse pas une valeur ou l’atteint au moins.</translation>
     </message>
     <message>
         <location filename="goal_form.cpp"/>
@@ -3702,6 +3703,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="id_field.cpp"/>
         <source>Pick in the view or the outline</source>
         <translation>Prendre dans la vue ou l’arborescence</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
+        <source>none</source>
+        <translation>sans</translation>
     </message>
     <message>
         <location filename="id_field.cpp"/>
@@ -4780,6 +4786,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Sélectionnez des particules, des liaisons ou des panneaux.</translation>
     </message>
     <message>
+        <location filename="map_dialog.cpp"/>
+        <source>none</source>
+        <comment>picture</comment>
+        <translation>aucune</translation>
+    </message>
+    <message>
         <location filename="material_file.cpp"/>
         <source>%1 cannot be in %2; it is measured in %3.</source>
         <translation>%1 ne peut pas être en %2 ; l’unité est %3.</translation>
@@ -4921,6 +4933,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="material_step.cpp"/>
+        <source>%1: %2, %3</source>
+        <translation>%1 : %2, %3</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
         <source>Heavier</source>
         <translation>Plus lourd</translation>
     </message>
@@ -4932,7 +4949,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="material_step.cpp"/>
         <source>Particles keep their mass, because the density of before or of the preset is not known.</source>
-        <translation>Les particules gardent leur masse, car la densité d’avant ou celle du préréglage n’est pas connue.</translation>
+        <translation>Les particules gardent leur masse, car la masse surfacique ou linéique d’avant, ou celle du préréglage, n’est pas connue.</translation>
     </message>
     <message>
         <location filename="material_step.cpp"/>
@@ -5257,7 +5274,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="menus.cpp"/>
         <source>None yet: File, Save as template</source>
-        <translation>Aucun pour l’instant : Fichier, Enregistrer comme modèle</translation>
+        <translation>Aucun pour l’instant : Fichier, Enregistrer comme gabarit</translation>
     </message>
     <message>
         <location filename="menus.cpp"/>
@@ -5632,7 +5649,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="neighbours.cpp"/>
         <source>%1 has no density from which a step could be made: choose a material of the library for it first.</source>
-        <translation>%1 n’a pas de densité d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
+        <translation>%1 n’a pas de masse surfacique ou linéique d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
     </message>
     <message>
         <location filename="neighbours.cpp"/>
@@ -5823,6 +5840,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="opened_study.cpp"/>
         <source>%1 measures the probe %2, and the scene has: %3.</source>
         <translation>%1 mesure la sonde %2, et la scène a : %3.</translation>
+    </message>
+    <message>
+        <location filename="opened_study.cpp"/>
+        <source>%1: %2: %3</source>
+        <translation>%1 : %2 : %3</translation>
     </message>
     <message>
         <location filename="opened_study.cpp"/>
@@ -7340,8 +7362,23 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="property_difference.cpp"/>
+        <source>%1: %2 %3 -&gt; %4</source>
+        <translation>%1 : %2 %3 -&gt; %4</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1: %2 %3 -&gt; %4 %5</source>
+        <translation>%1 : %2 %3 -&gt; %4 %5</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
         <source>%1: %2 changed</source>
         <translation>%1 : %2 a changé</translation>
+    </message>
+    <message>
+        <location filename="property_difference.cpp"/>
+        <source>%1: %2 x %3</source>
+        <translation>%1 : %2 x %3</translation>
     </message>
     <message>
         <location filename="property_difference.cpp"/>
@@ -9929,14 +9966,14 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="study_panel.cpp"/>
         <source>A new study of the open design; this one stays in its file.</source>
-        <translation>Une nouvelle étude de la conception ouverte ; celle-ci reste dans son fichier.</translation>
+        <translation>Une nouvelle étude du modèle ouvert ; celle-ci reste dans son fichier.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
         <source>A study flies the design many times with other values and shows what came of it as a map: for which stiffness and which strength does it hold?
 
 Right-click the name of a property, in the inspector or beside a slider, and choose Study this.</source>
-        <translation>Une étude fait voler la conception de nombreuses fois avec d’autres valeurs et montre le résultat sur une carte : pour quelle raideur et quelle résistance tient-elle ?
+        <translation>Une étude fait voler le modèle de nombreuses fois avec d’autres valeurs et montre le résultat sur une carte : pour quelle raideur et quelle résistance tient-il ?
 
 Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un curseur, puis Étudier ceci.</translation>
     </message>
@@ -9968,7 +10005,7 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="study_panel.cpp"/>
         <source>It flies %1, which is not the design that is open.</source>
-        <translation>Elle fait voler %1, qui n’est pas la conception ouverte.</translation>
+        <translation>Elle fait voler %1, qui n’est pas le modèle ouvert.</translation>
     </message>
     <message>
         <location filename="study_panel.cpp"/>
@@ -10038,12 +10075,12 @@ Clic droit sur le nom d’une propriété, dans l’inspecteur ou près d’un c
     <message>
         <location filename="study_panel_flights.cpp"/>
         <source>The design has the values of the study now: %1</source>
-        <translation>La conception a maintenant les valeurs de l’étude : %1</translation>
+        <translation>Le modèle a maintenant les valeurs de l’étude : %1</translation>
     </message>
     <message>
         <location filename="study_panel_flights.cpp"/>
         <source>The open design cannot take it. %1</source>
-        <translation>La conception ouverte ne peut pas les prendre. %1</translation>
+        <translation>Le modèle ouvert ne peut pas les prendre. %1</translation>
     </message>
     <message>
         <location filename="study_panel_flights.cpp"/>
@@ -10137,7 +10174,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="study_view.cpp"/>
         <source>Give the open design the values of this flight, as one step.</source>
-        <translation>Donner à la conception ouverte les valeurs de ce vol, en une seule étape.</translation>
+        <translation>Donner au modèle ouvert les valeurs de ce vol, en une seule étape.</translation>
     </message>
     <message>
         <location filename="study_view.cpp"/>
@@ -10307,7 +10344,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>1 resists tension only like a rope, 0 compression too like a chain of sticks.</source>
-        <translation>1 ne résiste qu’à la traction comme une corde, 0 à la compression aussi comme une chaîne de bâtons.</translation>
+        <translation>1 ne résiste qu’à la traction comme un cordage, 0 à la compression aussi comme une chaîne de bâtons.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10337,7 +10374,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A bob at the free end, over and above the rope's own mass.</source>
-        <translation>Un poids au bout libre, en plus de la masse de la corde.</translation>
+        <translation>Un poids au bout libre, en plus de la masse du cordage.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10417,7 +10454,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A line of EA = 100 kN and 10 m hangs 65 kg. It bounces, is calmed by its own damping, and comes to rest 64 mm longer, M g L / (EA).</source>
-        <translation>Une corde de EA = 100 kN et de 10 m porte 65 kg. Elle rebondit, son propre amortissement la calme, et elle s’arrête 64 mm plus longue, M g L / (EA).</translation>
+        <translation>Une ligne de EA = 100 kN et de 10 m porte 65 kg. Elle rebondit, son propre amortissement la calme, et elle s’arrête 64 mm plus longue, M g L / (EA).</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10487,7 +10524,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>A rope or line between the two selected particles, with new particles along it.</source>
-        <translation>Une corde ou une ligne entre les deux particules sélectionnées, avec de nouvelles particules en chemin.</translation>
+        <translation>Un cordage ou une ligne entre les deux particules sélectionnées, avec de nouvelles particules en chemin.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10637,7 +10674,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Air density</source>
-        <translation>Densité de l’air</translation>
+        <translation>Masse volumique de l’air</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10907,7 +10944,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Axial stiffness EA of the rope, its tension per strain; 0 never stretches.</source>
-        <translation>Rigidité axiale EA de la corde, sa tension par déformation ; 0 ne s’allonge jamais.</translation>
+        <translation>Rigidité axiale EA du cordage, sa tension par déformation ; 0 ne s’allonge jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11387,7 +11424,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Cord</source>
-        <translation>Corde</translation>
+        <translation>Ligne</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11947,7 +11984,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Flexural rigidity EI of a spar, its bending moment per curvature; a kite spar has 1 to 10, a rope nothing.</source>
-        <translation>Rigidité de flexion EI d’un longeron, son moment de flexion par courbure ; un longeron de cerf-volant a 1 à 10, une corde rien.</translation>
+        <translation>Rigidité de flexion EI d’un longeron, son moment de flexion par courbure ; un longeron de cerf-volant a 1 à 10, un cordage rien.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12542,7 +12579,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>How much longer the rope is than the way between its ends; less than 0 is under tension.</source>
-        <translation>De combien la corde est plus longue que le chemin entre ses bouts ; moins de 0 est sous tension.</translation>
+        <translation>De combien le cordage est plus long que le chemin entre ses bouts ; moins de 0 est sous tension.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13202,7 +13239,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Mass of the rope per length.</source>
-        <translation>Masse de la corde par longueur.</translation>
+        <translation>Masse du cordage par longueur.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13592,7 +13629,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Of the rope at the start, from straight down.</source>
-        <translation>De la corde au départ, à partir de la verticale vers le bas.</translation>
+        <translation>Du cordage au départ, à partir de la verticale vers le bas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13607,7 +13644,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Of the whole rope.</source>
-        <translation>De toute la corde.</translation>
+        <translation>De tout le cordage.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14287,7 +14324,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Ropes</source>
-        <translation>Cordes</translation>
+        <translation>Cordages</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14747,7 +14784,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Stretched line</source>
-        <translation>Corde étirée</translation>
+        <translation>Ligne étirée</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14762,7 +14799,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Strips of three measured fabrics reach twice their bending length (B / (density g))^(1/3) over the edge and droop to 41.5 degrees, the slope of the ramps. Peirce 1930.</source>
-        <translation>Des bandes de trois tissus mesurés dépassent le bord de deux fois leur longueur de flexion (B / (densité g))^(1/3) et tombent à 41,5 degrés, la pente des rampes. Peirce 1930.</translation>
+        <translation>Des bandes de trois tissus mesurés dépassent le bord de deux fois leur longueur de flexion (B / (masse surfacique × g))^(1/3) et tombent à 41,5 degrés, la pente des rampes. Peirce 1930.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15172,7 +15209,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Twenty rods that only pull, let go at 60 degrees. Tune the viscosity of the settings, 0 to 2 /s, and watch how long it swings.</source>
-        <translation>Vingt barres qui ne font que tirer, lâchées à 60 degrés. Réglez la viscosité des paramètres, 0 à 2 /s, et regardez combien de temps la corde se balance.</translation>
+        <translation>Vingt barres qui ne font que tirer, lâchées à 60 degrés. Réglez la viscosité des paramètres, 0 à 2 /s, et regardez combien de temps la chaîne se balance.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15932,7 +15969,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>the air density is 0</source>
-        <translation>la densité de l’air est 0</translation>
+        <translation>la masse volumique de l’air est 0</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -17155,6 +17192,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tuning_row.cpp"/>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2 : %3</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
         <source>%1: the range %2.</source>
         <translation>%1 : la plage %2.</translation>
     </message>
@@ -17241,7 +17283,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tuning_rows.cpp"/>
         <source>Fly the design many times with other values, and see for which of them it holds.</source>
-        <translation>Faire voler la conception de nombreuses fois avec d’autres valeurs, et voir pour lesquelles elle tient.</translation>
+        <translation>Faire voler le modèle de nombreuses fois avec d’autres valeurs, et voir pour lesquelles il tient.</translation>
     </message>
     <message>
         <location filename="tuning_rows.cpp"/>
@@ -18004,7 +18046,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="view_rows.cpp"/>
         <source>Show the design as a ghost</source>
-        <translation>Montrer le dessin d'origine en fantôme</translation>
+        <translation>Montrer le modèle en fantôme</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -18195,6 +18237,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="words.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
     <message numerus="yes">
         <location filename="words.cpp"/>

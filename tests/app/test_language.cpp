@@ -11,6 +11,7 @@
 #include "check/check.h"
 #include "dialogs/builder_dialog.h"
 #include "dialogs/operation_dialog.h"
+#include "dialogs/work_dialog.h"
 #include "document/words.h"
 #include "editor/table_texts.h"
 #include "language/language.h"
@@ -22,6 +23,7 @@
 #include <QDoubleSpinBox>
 #include <QMenuBar>
 #include <QProcess>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -206,6 +208,37 @@ private slots:
         for (const Message& sentence : said)
             QVERIFY2(translated(sentence) != QString::fromStdString(sentence.english()),
                      sentence.english().c_str());
+    }
+
+    void labelsHaveABlankBeforeTheColon()
+    {
+        QCOMPARE(labelled("Picture", "%1"), QString("Picture: %1"));
+        const Translation translation(Language::French);
+        QCOMPARE(labelled("Image", "%1"), QString("Image\u00a0: %1"));
+    }
+
+    // Work of a thread is shown by a dialog of Qt with a button of ours.
+    void workIsCancelledInFrench()
+    {
+        const Translation translation(Language::French);
+        QStringList buttons;
+        workWithProgress(nullptr, "Certification", [&](const Progress& progress) {
+            while (progress(0.5)) {
+                QMetaObject::invokeMethod(
+                    qApp,
+                    [&] {
+                        for (QWidget* window : QApplication::topLevelWidgets())
+                            if (auto* bar = qobject_cast<QProgressDialog*>(window)) {
+                                for (auto* button : bar->findChildren<QPushButton*>()) {
+                                    buttons << button->text();
+                                    button->click();
+                                }
+                            }
+                    },
+                    Qt::BlockingQueuedConnection);
+            }
+        });
+        QCOMPARE(buttons, QStringList{"Annuler"});
     }
 
     void pluralsFollowTheLanguage()

@@ -73,6 +73,11 @@ QString text(std::string_view utf8)
 
 QString words(const char* english) { return QCoreApplication::translate("Window", english); }
 
+QString labelled(const QString& name, const QString& said)
+{
+    return words("%1: %2").arg(name, said);
+}
+
 QString translated(std::string_view english)
 {
     return english.empty() ? QString()

@@ -16,6 +16,10 @@ QString text(std::string_view utf8);
 // A text of the window in its language, for sources without a class whose tr() would say it.
 QString words(const char* english);
 
+// What is called so, and what is said of it: "Picture: none", with a blank before the colon where
+// the language has one.
+QString labelled(const QString& name, const QString& said);
+
 // A text of the model, which is written in English, in the language of the window.
 QString translated(std::string_view english);
 QString translated(const Message& message);

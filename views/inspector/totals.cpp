@@ -163,7 +163,7 @@ QString built(const Part& part)
             chosen << chosenText(parameter, value);
     }
     return (chosen.isEmpty() ? words("%1 as it comes").arg(by)
-                             : by + QStringLiteral(": ") + chosen.join(QStringLiteral(", ")))
+                             : labelled(by, chosen.join(QStringLiteral(", "))))
            + QStringLiteral(". ") + words("Change it with Insert > Change parameters.");
 }
 

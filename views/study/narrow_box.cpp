@@ -2,6 +2,7 @@
 #include "study/narrow_box.h"
 
 #include "document/plain_text.h"
+#include "document/words.h"
 
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
@@ -21,8 +22,7 @@ NarrowBox::NarrowBox(const QString& name, const QStringList& texts, int letters)
 
 void NarrowBox::tellWhole()
 {
-    setToolTip(shownAsIs(currentText().isEmpty() ? m_name
-                                                 : m_name + QStringLiteral(": ") + currentText()));
+    setToolTip(shownAsIs(currentText().isEmpty() ? m_name : labelled(m_name, currentText())));
 }
 
 void NarrowBox::paintEvent(QPaintEvent*)

@@ -126,7 +126,7 @@ void ParallelChart::drawAxes()
         write(double(i), 1.02, Qt::AlignHCenter | Qt::AlignBottom, end(m_spans[i].largest));
         write(double(i), -0.02, Qt::AlignHCenter | Qt::AlignTop, end(m_spans[i].least));
         if (std::ranges::any_of(column.value, [](double value) { return !std::isfinite(value); }))
-            write(double(i), missing - 0.02, Qt::AlignHCenter | Qt::AlignTop, tr("none"));
+            write(double(i), missing - 0.02, Qt::AlignHCenter | Qt::AlignTop, tr("none", "value"));
     }
     m_plot->xAxis->setTicker(titles);
     m_plot->xAxis->setRange(-0.5, std::max(0.5, double(m_columns->size()) - 0.5));

@@ -435,7 +435,7 @@ void StudyView::describe(qlonglong point)
         return m_told->setText(tr("%1 flights are selected.").arg(m_selected.size()));
     if (point < 0)
         return m_told->setText(tr("Click a flight to watch it or to take its values."));
-    QString text = valuesOf(*m_study, std::size_t(point)) + QStringLiteral(": ");
+    QString text;
     if (const FlightResult* flight = (*m_flights)[std::size_t(point)]) {
         const auto reading = std::size_t(std::max(0, m_reading->currentIndex()));
         const double value = readingOf(*flight, reading);
@@ -452,7 +452,7 @@ void StudyView::describe(qlonglong point)
     } else {
         text += tr("not flown yet.");
     }
-    m_told->setText(text);
+    m_told->setText(labelled(valuesOf(*m_study, std::size_t(point)), text));
 }
 
 } // namespace ripstop
