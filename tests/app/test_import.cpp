@@ -10,6 +10,7 @@
 #include "import/import_dialog.h"
 #include "import/import_form.h"
 #include "import/mesh_preview.h"
+#include "language/language.h"
 #include "model/meshes.h"
 #include "start/start_page.h"
 #include "viewport/viewport.h"
@@ -96,6 +97,30 @@ private:
 
 private slots:
     void initTestCase() { m_cube = writeFile(m_folder.filePath("cube.stl"), cubeAsStl()); }
+
+    // Texts that a file makes longer, in the longer language.
+    void nothingOfTheFormIsCut()
+    {
+        const Translation translation(Language::French);
+        QString objects;
+        for (int i = 0; i < 12; ++i)
+            objects +=
+                QStringLiteral("o sail %1\nv %1 0 0\nv %1 1 0\nv %1 0 1\nf -3 -2 -1\n").arg(i);
+        ImportDialog dialog(Scene(), writeFile(m_folder.filePath("sails.obj"), objects.toUtf8()));
+        dialog.show();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isSettled(), patience);
+        const auto* form = dialog.findChild<ImportForm*>();
+        for (QComboBox* box : form->findChildren<QComboBox*>())
+            for (int i = 0; i < box->count(); ++i) {
+                box->setCurrentIndex(i);
+                QTRY_VERIFY2(box->width() >= box->minimumSizeHint().width(),
+                             qPrintable(box->currentText()));
+                QVERIFY2(box->width()
+                             > box->fontMetrics().horizontalAdvance(box->currentText()) + 24,
+                         qPrintable(box->currentText()));
+            }
+        QTRY_VERIFY(form->width() <= form->parentWidget()->width());
+    }
 
     void dialogShowsWhatWillBe()
     {

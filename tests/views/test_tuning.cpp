@@ -77,6 +77,28 @@ class TestTuning : public QObject
     Q_OBJECT
 
 private slots:
+    // A name of many words breaks; a number with its unit, and the button behind it, need their
+    // room.
+    void longNamesLeaveNumbersTheirRoom()
+    {
+        Desk desk;
+        const Id threads = showKiteCloth(desk);
+        desk.set(threads, "name", std::string("kite cloth of the left wing, sewn twice"));
+        TuningRow* row = desk.add(*findProperty(Kind::Material, "membraneStiffness"), {threads});
+        QVERIFY(row);
+        QTest::qWait(50); // it is laid out
+        const auto* edit = row->findChild<ValueEdit*>();
+        const QString number = edit->text();
+        QVERIFY(number.size() >= 4);
+        const QMargins unit = edit->textMargins();
+        QVERIFY(unit.right() > 0);
+        QVERIFY2(edit->width() - unit.right() > edit->fontMetrics().horizontalAdvance(number) + 6,
+                 qPrintable(QString::number(edit->width())));
+        QVERIFY(row->width() <= desk.panel.width());
+        for (const auto* button : row->findChildren<QToolButton*>())
+            QVERIFY(button->mapTo(row, button->rect().bottomRight()).x() < row->width());
+    }
+
     void aSliderStaysWhateverIsSelected()
     {
         Desk desk;

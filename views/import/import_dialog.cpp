@@ -26,6 +26,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -90,6 +91,26 @@ QString picturesText(const MeshImport& made)
                                               "beside it: %1.")
                                  .arg(names.join(QStringLiteral(", ")));
 }
+
+// As wide as the form in it, whose choices grow with what a file holds.
+class FormScroll final : public QScrollArea
+{
+public:
+    QSize minimumSizeHint() const override
+    {
+        const int width =
+            widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+        return {width, QScrollArea::minimumSizeHint().height()};
+    }
+
+private:
+    bool eventFilter(QObject* target, QEvent* event) override
+    {
+        if (target == widget() && event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QScrollArea::eventFilter(target, event);
+    }
+};
 
 } // namespace
 
@@ -184,12 +205,11 @@ void ImportDialog::layOut()
     seen->addWidget(m_size);
     seen->addWidget(m_report);
 
-    auto* scroll = new QScrollArea;
+    auto* scroll = new FormScroll;
     scroll->setWidget(m_form);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(m_form->minimumSizeHint().width() + 24);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(14);
     columns->addLayout(seen, 1);

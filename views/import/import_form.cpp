@@ -5,6 +5,7 @@
 // would otherwise start the work again.
 #include "import/import_form.h"
 
+#include "document/plain_text.h"
 #include "document/words.h"
 #include "materials/own_materials.h"
 
@@ -24,6 +25,7 @@ namespace ripstop {
 namespace {
 
 constexpr const char* firstPreset = "ripstop_075"; // the default of ripstop-cli import, too
+constexpr int mostOfName = 160;                    // px, of a material that a person named
 
 QString unitLabel(std::string_view name)
 {
@@ -80,6 +82,8 @@ ImportForm::ImportForm(const Scene& scene, QWidget* parent)
     layout->addStretch(1);
     fillUnits(false);
     fillMaterials(scene);
+    for (QComboBox* box : findChildren<QComboBox*>()) // texts of a file come later
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
 
     connect(m_name, &QLineEdit::textEdited, this, &ImportForm::changed);
     connect(m_unit, &QComboBox::currentIndexChanged, this, [this] {
@@ -149,8 +153,6 @@ void ImportForm::addFabricRows(QFormLayout& form)
     form.setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_material->setObjectName(QStringLiteral("material"));
     m_density->setObjectName(QStringLiteral("density"));
-    m_material->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_material->setMinimumContentsLength(22);
     addRow(form, tr("Material"), m_material,
            tr("A fabric that one can buy, or a material of this scene."));
     m_perMaterial->setObjectName(QStringLiteral("perMaterial"));
@@ -216,11 +218,16 @@ void ImportForm::fillUnits(bool isKnown)
 void ImportForm::fillMaterials(const Scene& scene)
 {
     const QSignalBlocker quiet(m_material);
+    const auto nameOf = [this](const std::string& name) { // which may be of any length
+        return fontMetrics().elidedText(text(name), Qt::ElideRight, mostOfName);
+    };
     int chosen = 0;
     for (const Entry& entry : scene.items)
         if (const Material* material = std::get_if<Material>(&entry.item)) {
             m_choices.push_back({entry.id, *material});
-            m_material->addItem(tr("%1 (of this scene)").arg(text(material->name)));
+            m_material->addItem(tr("%1 (of this scene)").arg(nameOf(material->name)));
+            m_material->setItemData(m_material->count() - 1, shownAsIs(text(material->name)),
+                                    Qt::ToolTipRole);
         }
     if (!m_choices.empty())
         m_material->insertSeparator(m_material->count());
@@ -232,7 +239,7 @@ void ImportForm::fillMaterials(const Scene& scene)
             continue;
         if (preset.name == firstPreset)
             chosen = m_material->count();
-        m_material->addItem(preset.own ? tr("%1 (own)").arg(text(preset.label))
+        m_material->addItem(preset.own ? tr("%1 (own)").arg(nameOf(preset.label))
                                        : translated(preset.label));
         m_material->setItemData(m_material->count() - 1, QString::fromStdString(sourcesOf(preset)),
                                 Qt::ToolTipRole);

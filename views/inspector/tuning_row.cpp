@@ -63,6 +63,7 @@ TuningRow::TuningRow(Document& document, UsageWatch& usage, LastDirections& dire
     const Property& property = *m_slider.property;
     m_subject.set(property.kind, m_slider.ids);
     m_label->setTextFormat(Qt::PlainText);
+    m_label->setWrapping(); // long names leave the number its room
     m_note->setWordWrap(true);
     m_note->setTextFormat(Qt::RichText);
     connect(m_note, &QLabel::linkActivated, this, [this](const QString& which) {

@@ -7,10 +7,14 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
-constexpr int unitGap = 5; // px, on both sides of the unit
+constexpr int unitGap = 5;     // px, on both sides of the unit
+constexpr int leastWidth = 40; // px
+constexpr int besideText = 12; // px, of the frame and what a line leaves free beside its text
 
 } // namespace
 
@@ -18,7 +22,7 @@ ValueEdit::ValueEdit(Judge judge, QWidget* parent)
     : NumberLine(parent)
     , m_judge(std::move(judge))
 {
-    setMinimumWidth(40);
+    setMinimumWidth(leastWidth);
     connect(this, &QLineEdit::textEdited, this, &ValueEdit::judge);
 }
 
@@ -29,6 +33,10 @@ void ValueEdit::setUnit(const QString& unit)
     m_unit = unit;
     const int width = unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + unitGap;
     setTextMargins(0, 0, width, 0);
+    if (!unit.isEmpty()) // which would be painted over the end of the number
+        setMinimumWidth(
+            std::max(leastWidth, fontMetrics().horizontalAdvance(QStringLiteral("-0.00000")) + width
+                                     + besideText));
     update();
 }
 
