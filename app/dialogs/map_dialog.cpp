@@ -38,7 +38,6 @@ MapDialog::MapDialog(Document& document, Selection& selection, QWidget* parent)
            "in metres, u and v across and up the picture on the fabric, value what it has now, "
            "grey the picture below at u and v, 0 for black and 1 for white."));
     words->setWordWrap(true);
-    m_formula->setText(QStringLiteral("value * (1 - 0.5 * exp(-(x^2 + z^2) / 0.04))"));
     m_formula->setClearButtonEnabled(true);
     m_picture->setPlaceholderText(tr("none", "picture"));
     m_picture->setClearButtonEnabled(true);
@@ -74,13 +73,17 @@ MapDialog::MapDialog(Document& document, Selection& selection, QWidget* parent)
     resize(560, sizeHint().height());
 
     fillNumbers();
-    connect(m_number, &QComboBox::currentIndexChanged, this, &MapDialog::look);
+    connect(m_number, &QComboBox::currentIndexChanged, this, [this] {
+        offerFormula();
+        look();
+    });
     connect(m_formula, &QLineEdit::textChanged, this, &MapDialog::look);
     connect(m_picture, &QLineEdit::textChanged, this, &MapDialog::look);
     look();
 }
 
-// The numbers of the kinds that are selected, tear limits first where there are links.
+// The numbers of the kinds that are selected. The choice to begin with is a strength of which each
+// element has a value, as not all materials have a tear limit.
 void MapDialog::fillNumbers()
 {
     const Elements elements = sortedElements(m_document.scene(), m_selection.ids());
@@ -95,8 +98,23 @@ void MapDialog::fillNumbers()
     add(Kind::Link, !elements.links.empty());
     add(Kind::Panel, !elements.panels.empty());
     add(Kind::Particle, !elements.particles.empty());
-    if (!elements.links.empty())
-        setNumber(propertyOf<&Link::tearLimit>());
+    for (const Property* strength :
+         {&propertyOf<&Link::tearLimit>(), &propertyOf<&Panel::strengthFactor>(),
+          &propertyOf<&Link::strengthFactor>()})
+        if (setNumber(*strength), offerFormula(); map())
+            break;
+}
+
+// One about the elements that have the number, as long as nobody has written another.
+void MapDialog::offerFormula()
+{
+    if (m_number->currentIndex() < 0 || m_formula->text() != m_offered)
+        return;
+    const Scene& scene = m_document.scene();
+    m_offered =
+        QString::fromStdString(fadingSpot(scene, *m_numbers[std::size_t(m_number->currentIndex())],
+                                          elementsOf(scene, m_selection.ids())));
+    m_formula->setText(m_offered);
 }
 
 void MapDialog::setFormula(const QString& formula) { m_formula->setText(formula); }

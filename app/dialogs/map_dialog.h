@@ -34,6 +34,7 @@ public:
 
 private:
     void fillNumbers();
+    void offerFormula();
     void choosePicture();
     void look();
     Result<MappedNumbers> map() const;
@@ -43,6 +44,7 @@ private:
     QComboBox* m_number;
     std::vector<const Property*> m_numbers; // [rows of m_number]
     QLineEdit* m_formula;
+    QString m_offered; // the formula that the dialog wrote
     QLineEdit* m_picture;
     QLabel* m_verdict;
     QPushButton* m_ok = nullptr;

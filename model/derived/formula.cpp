@@ -79,10 +79,21 @@ public:
                 m_used.push_back(i);
     }
 
+    // Evaluates it once, which throws at names that there are not; whether it is a number at all,
+    // as far as it hangs on no name: 1 / 0 is none.
+    bool isNumber()
+    {
+        const double number = m_parser.Eval();
+        return !m_used.empty() || std::isfinite(number);
+    }
+
     // The dimension of the result; nothing when unlike things are added. A result that depends on
-    // an angle by no power, as a sine does, measures no angle.
+    // an angle by no power, as a sine does, measures no angle. Plain numbers make plain numbers,
+    // also those that vanish or are infinite for the values that units are tried with.
     std::optional<Dimension> dimension()
     {
+        if (std::ranges::all_of(m_used, [this](std::size_t i) { return isPlain(m_units[i]); }))
+            return Dimension{};
         constexpr double finer = std::numbers::e;
         const double whole = probed({1.0, 1.0, 1.0, 1.0});
         Dimension found{};
@@ -116,6 +127,8 @@ public:
     const std::vector<std::size_t>& used() const { return m_used; }
 
 private:
+    static bool isPlain(const Measured& unit) { return unit.dimension == Dimension{}; }
+
     // Evaluates with another number for each name, so that no difference vanishes.
     double probed(const std::array<double, 4>& scale)
     {
@@ -151,6 +164,8 @@ Result<Formula> Formula::read(std::string_view text, std::span<const Name> names
         return Failure{"it is empty; write one like line_tension / weight"};
     try {
         auto parts = std::make_unique<Parts>(text, names);
+        if (!parts->isNumber())
+            return Failure{"it gives no finite number, as 1/0 does; check what it divides by"};
         const auto dimension = parts->dimension();
         if (!dimension)
             return Failure{"it adds, or takes a function of, things of different units"};
@@ -162,6 +177,17 @@ Result<Formula> Formula::read(std::string_view text, std::span<const Name> names
         return Failure("\"%1\" is no other probe; names are written with _ for blanks",
                        error.GetToken());
     }
+}
+
+std::string Formula::unknownName(std::string_view text, std::span<const Name> names)
+{
+    try {
+        (void)Parts(text, names).isNumber();
+    } catch (const mu::Parser::exception_type& error) {
+        if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+            return error.GetToken();
+    }
+    return {};
 }
 
 const std::string& Formula::unit() const { return m_parts->unit(); }

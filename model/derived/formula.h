@@ -35,6 +35,9 @@ public:
     // The failure says what to change, without the name of what the formula belongs to.
     static Result<Formula> read(std::string_view text, std::span<const Name> names);
 
+    // What `text` names that is none of `names`; empty where there is no such thing.
+    static std::string unknownName(std::string_view text, std::span<const Name> names);
+
     Formula(Formula&&) noexcept;
     Formula& operator=(Formula&&) noexcept;
     ~Formula();

@@ -8,6 +8,7 @@
 #include "derived/link_stiffness.h"
 #include "derived/tear_bounds.h"
 #include "scene/particle_of.h"
+#include "scene/said_number.h"
 #include "select/elements.h"
 #include "shapes/shape_files.h"
 
@@ -33,6 +34,8 @@ std::vector<Formula::Name> mapNames()
             {"value", ""},
             {"grey", ""}};
 }
+
+constexpr const char* namesOfMaps = "x, y, z, u, v, value, grey";
 
 struct Spot
 {
@@ -104,19 +107,31 @@ std::optional<double> presentValue(const Scene& scene, const Property& property,
     return link ? ofItsMaterial(scene, property, **link) : std::nullopt;
 }
 
+// Around the particles of those elements that have the number, m.
+Eigen::AlignedBox3d boxAround(const Scene& scene, const Property& property,
+                              const std::vector<Id>& elements)
+{
+    Eigen::AlignedBox3d box;
+    for (const Id id : elements)
+        if (const auto element = find(scene, id); element && kindOf(*element) == property.kind)
+            for (const Id particle : particlesOf(*element))
+                if (const Particle* row = particleOf(scene, particle))
+                    box.extend(row->position);
+    return box;
+}
+
 // Where the picture lies on the elements: by their texture, or over the box around them.
 class PicturePlace
 {
 public:
     PicturePlace(const Scene& scene, const Property& property, const std::vector<Id>& elements)
+        : m_box(boxAround(scene, property, elements))
     {
         for (const Id id : elements)
             if (const auto element = find(scene, id); element && kindOf(*element) == property.kind)
                 for (const Id particle : particlesOf(*element))
-                    if (const Particle* row = particleOf(scene, particle)) {
+                    if (const Particle* row = particleOf(scene, particle))
                         m_isPrinted |= row->textureU != 0.0 || row->textureV != 0.0;
-                        m_box.extend(row->position);
-                    }
         Eigen::Index least = 2;
         if (!m_box.isEmpty())
             m_box.sizes().minCoeff(&least);
@@ -174,6 +189,10 @@ Result<MappedNumbers> mapped(const Scene& scene, const Property& property,
     if (!isRealNumber(property))
         return Failure("%1 is no number of particles, links or panels.", property.key);
     const std::vector<Formula::Name> names = mapNames();
+    if (formula.find_first_not_of(' ') == std::string_view::npos)
+        return Failure("The formula is empty; write one of %1.", namesOfMaps);
+    if (const std::string unknown = Formula::unknownName(formula, names); !unknown.empty())
+        return Failure("The formula asks for \"%1\"; it can ask for %2.", unknown, namesOfMaps);
     Result<Formula> read = Formula::read(formula, names);
     if (!read)
         return read.failure();
@@ -203,6 +222,10 @@ Result<MappedNumbers> mapped(const Scene& scene, const Property& property,
                                                present.value_or(0.0),
                                                picture ? greyAt(*picture, across, up) : 0.0};
         const double number = read->value(at);
+        if (!std::isfinite(number))
+            return Failure("At %1 %2 the formula gives no finite number: check what it divides by, "
+                           "and of what it takes the root or the logarithm.",
+                           kindName(property.kind), std::uint32_t(id));
         const auto corners = cornersOfGrain(scene, property, *element);
         const double stored =
             corners
@@ -234,6 +257,28 @@ Result<MappedNumbers> mappedByPicture(const Scene& scene, const Property& proper
     if (!read)
         return read.failure();
     return mapped(scene, property, elements, formula, read->get());
+}
+
+std::string fadingSpot(const Scene& scene, const Property& property,
+                       const std::vector<Id>& elements)
+{
+    constexpr int digits = 3;
+    constexpr double shareOfSize = 0.2;  // of the box around the elements
+    constexpr double leastRadius = 0.01; // m, of what is a point
+    const Eigen::AlignedBox3d box = boxAround(scene, property, elements);
+    if (box.isEmpty())
+        return {};
+    const auto squareOf = [&](const char* axis, double middle) {
+        if (isNothing(middle))
+            return std::string(axis) + "^2";
+        return "(" + std::string(axis) + (middle < 0.0 ? " + " : " - ")
+               + plainNumber(std::abs(middle), digits) + ")^2";
+    };
+    const Vec3 middle = box.center();
+    const double radius = std::max(leastRadius, shareOfSize * box.sizes().maxCoeff());
+    return "value * (1 - 0.5 * exp(-(" + squareOf("x", middle.x()) + " + "
+           + squareOf("y", middle.y()) + " + " + squareOf("z", middle.z()) + ") / "
+           + plainNumber(radius * radius, digits) + "))";
 }
 
 std::vector<const Property*> mappableNumbers(Kind kind)

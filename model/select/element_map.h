@@ -21,6 +21,7 @@
 #include "shapes/height_grid.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,6 +46,11 @@ Result<MappedNumbers> mapped(const Scene& scene, const Property& property,
 Result<MappedNumbers> mappedByPicture(const Scene& scene, const Property& property,
                                       const std::vector<Id>& elements, std::string_view formula,
                                       const std::filesystem::path& picture);
+
+// A formula to begin with: half of what there is in the middle of those elements that have the
+// number, and ever less of a change away from it. Empty where there are none.
+std::string fadingSpot(const Scene& scene, const Property& property,
+                       const std::vector<Id>& elements);
 
 // The numbers of elements of this kind that can be mapped.
 std::vector<const Property*> mappableNumbers(Kind kind);

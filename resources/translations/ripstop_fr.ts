@@ -2072,8 +2072,18 @@
     </message>
     <message>
         <location filename="element_map.cpp"/>
+        <source>At %1 %2 the formula gives no finite number: check what it divides by, and of what it takes the root or the logarithm.</source>
+        <translation>Pour %1 %2, la formule ne donne pas de nombre fini : vérifiez par quoi elle divise, et de quoi elle prend la racine ou le logarithme.</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
         <source>Map of %1</source>
         <translation>Carte de « %1 »</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>The formula asks for "%1"; it can ask for %2.</source>
+        <translation>La formule demande « %1 » ; elle peut demander %2.</translation>
     </message>
     <message>
         <location filename="element_map.cpp"/>
@@ -2084,6 +2094,11 @@
         <location filename="element_map.cpp"/>
         <source>The formula asks for the value of link %1, which has none: its material never tears. Choose what it tears by, or leave out value.</source>
         <translation>La formule demande la valeur (value) de la liaison %1, qui n’en a pas : son matériau ne se déchire jamais. Choisissez selon quoi il se déchire, ou omettez value.</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>The formula is empty; write one of %1.</source>
+        <translation>La formule est vide ; en écrire une avec %1.</translation>
     </message>
     <message>
         <location filename="element_map.cpp"/>
@@ -3118,6 +3133,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="formula.cpp"/>
         <source>it adds, or takes a function of, things of different units</source>
         <translation>elle additionne des choses d’unités différentes, ou en prend une fonction</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>it gives no finite number, as 1/0 does; check what it divides by</source>
+        <translation>elle ne donne pas de nombre fini, comme 1/0 ; vérifiez par quoi elle divise</translation>
     </message>
     <message>
         <location filename="formula.cpp"/>

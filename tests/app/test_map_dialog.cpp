@@ -62,11 +62,19 @@ private slots:
         desk.selection.set({Id{5}});
         MapDialog dialog(desk.document, desk.selection, nullptr);
         const auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        QVERIFY(ok->isEnabled()); // what there is at first can be mapped
+        dialog.setNumber(propertyOf<&Link::tearLimit>());
         QVERIFY(dialog.verdict().contains("never tears"));
         QVERIFY(!ok->isEnabled());
-        dialog.setFormula("100 + q");
+        dialog.setFormula("100 + x * q");
         QVERIFY2(dialog.verdict().contains("q"), qPrintable(dialog.verdict()));
         QVERIFY(!ok->isEnabled());
+        QVERIFY2(!dialog.verdict().contains("probe"), qPrintable(dialog.verdict()));
+        for (const char* endless : {"1 / 0", "1 / (y - y)", "sqrt(-1)"}) {
+            dialog.setFormula(endless);
+            QVERIFY2(dialog.verdict().contains("no finite number"), qPrintable(dialog.verdict()));
+            QVERIFY(!ok->isEnabled());
+        }
         dialog.setFormula("100 + y");
         QVERIFY(ok->isEnabled());
     }

@@ -138,8 +138,8 @@ private slots:
                                    << "1"
                                    << "kind is no number";
         QTest::newRow("unknown name") << "restLength"
-                                      << "w + 1"
-                                      << "w";
+                                      << "x + w"
+                                      << "asks for \"w\"";
         QTest::newRow("no formula") << "restLength"
                                     << "x +"
                                     << "";
@@ -149,6 +149,12 @@ private slots:
         QTest::newRow("not finite") << "restLength"
                                     << "1 / (x - 1)"
                                     << "finite";
+        QTest::newRow("1 / 0") << "restLength"
+                               << "1 / 0"
+                               << "finite";
+        QTest::newRow("empty") << "restLength"
+                               << " "
+                               << "x, y, z, u, v, value, grey";
         QTest::newRow("no picture") << "restLength"
                                     << "grey"
                                     << "no picture";
@@ -164,6 +170,42 @@ private slots:
         QVERIFY(!made);
         const QString message = QString::fromStdString(made.message().english());
         QVERIFY2(message.contains(says), qPrintable(message));
+    }
+
+    // A formula may vanish or be endless where it is read, as long as it is none at the elements.
+    void plainNumbersHaveNoUnits()
+    {
+        Scene scene = smallScene(); // the link is at x = 1
+        const Property& rest = propertyOf<&Link::restLength>();
+        for (const auto& [formula, length] : {std::pair("2 + 0 * x", 2.0),
+                                              {"1 / (x - 0.5625)", 1.0 / 0.4375},
+                                              {"4 - ln(x)", 4.0}}) {
+            (void)apply(scene, mapped(scene, rest, {Id{5}}, formula)->edit);
+            NEAR(numberAt(scene, rest, Id{5}), length, 1e-12);
+        }
+    }
+
+    // The middle of the box around (0, 0, 0) and (2, 4, 6) is (1, 2, 3); its particles are a
+    // half of its diagonal from there, and a fifth of its longest side is 1.2 m.
+    void theFormulaToBeginWithIsInTheMiddle()
+    {
+        Scene scene = smallScene();
+        const Property& mass = propertyOf<&Particle::mass>();
+        auto& part = std::get<Part>(scene.items.back().item);
+        part.particles[2].position = Vec3(1, 2, 3);
+        for (Particle& particle : part.particles)
+            particle.mass = 2.0;
+        const std::vector<Id> all{Id{2}, Id{3}, Id{4}};
+        (void)apply(scene, mapped(scene, mass, all, fadingSpot(scene, mass, all))->edit);
+        NEAR(numberAt(scene, mass, Id{4}), 1.0, 1e-12);
+        NEAR(numberAt(scene, mass, Id{2}), 2.0 - std::exp(-14.0 / 1.44), 1e-12);
+        for (Particle& particle : part.particles)
+            particle.position -= Vec3(1, 4, 4); // so that there is 0 and less than 0
+        for (Particle& particle : part.particles)
+            particle.mass = 2.0;
+        (void)apply(scene, mapped(scene, mass, all, fadingSpot(scene, mass, all))->edit);
+        NEAR(numberAt(scene, mass, Id{4}), 1.0, 1e-12);
+        QVERIFY(fadingSpot(scene, mass, {}).empty());
     }
 
     void aMaterialThatNeverTearsHasNoValue()

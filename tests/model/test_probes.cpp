@@ -348,6 +348,8 @@ private slots:
                                           << "different units";
         QTest::newRow("unknown") << "weight + lift"
                                  << "\"lift\" is no other probe";
+        QTest::newRow("endless") << "1 / 0"
+                                 << "no finite number";
         QTest::newRow("cut off") << "weight *"
                                  << "nexpected";
     }
