@@ -44,6 +44,7 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 
 namespace ripstop {
@@ -243,29 +244,38 @@ void MainWindow::showTitle()
     setWindowModified(m_document.isModified());
 }
 
+// Several files are let in, so that it can be said at their drop why they are not opened.
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QString file = droppedFile(event->mimeData());
-    if (file.endsWith(".json", Qt::CaseInsensitive) || ImportDialog::isMesh(file)
-        || RunFiles::isRecording(file))
+    if (event->mimeData()->urls().size() > 1 || file.endsWith(".json", Qt::CaseInsensitive)
+        || ImportDialog::isMesh(file) || RunFiles::isRecording(file))
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    const QString file = droppedFile(event->mimeData());
-    const bool isRun = RunFiles::isRecording(file);
-    if (StudyPanel::isStudy(file))
-        return openStudy(file);
-    if (!isRun && !ImportDialog::isMesh(file)) {
-        m_files->open(file);
-        return;
+    if (event->mimeData()->urls().size() > 1) {
+        event->ignore();
+        return m_status->say(tr("Several files were dropped, and none was opened: drop one alone."),
+                             StatusLine::read);
     }
     event->acceptProposedAction();
-    // queued, because the program that drops waits for this event, and the dialog stays open
-    QMetaObject::invokeMethod(
-        this, [this, file, isRun] { isRun ? openRun(file) : m_arrivals->importMesh(file); },
-        Qt::QueuedConnection);
+    // queued, because the program that drops waits for this event, and questions and dialogs stay
+    QTimer::singleShot(0, this,
+                       [this, file = droppedFile(event->mimeData())] { openDropped(file); });
+}
+
+void MainWindow::openDropped(const QString& file)
+{
+    if (StudyPanel::isStudy(file))
+        openStudy(file);
+    else if (RunFiles::isRecording(file))
+        openRun(file);
+    else if (ImportDialog::isMesh(file))
+        m_arrivals->importMesh(file);
+    else
+        m_files->open(file);
 }
 
 void MainWindow::openStudy(const QString& file)

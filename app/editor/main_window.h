@@ -73,6 +73,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void openDropped(const QString& file);
 
 private:
     MainWindow(Document& document, Selection& selection, Player& player, Memory memory,

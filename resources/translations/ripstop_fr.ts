@@ -4731,6 +4731,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Principale</translation>
     </message>
     <message>
+        <location filename="main_window.cpp"/>
+        <source>Several files were dropped, and none was opened: drop one alone.</source>
+        <translation>Plusieurs fichiers ont été déposés, et aucun n’a été ouvert : en déposer un seul.</translation>
+    </message>
+    <message>
         <location filename="manifest.cpp"/>
         <source>is no manifest of a bundle</source>
         <translation>n’est pas le manifeste d’un dossier de simulation</translation>

@@ -22,8 +22,10 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -284,6 +286,51 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 1, patience);
         QCOMPARE(editor.document.displayName(), "cube");
         QVERIFY(editor.window.viewport().isVisible());
+    }
+
+    // The program that drops waits for the event, and must not wait for the answer to a question.
+    void aDropIsTakenBeforeAQuestion()
+    {
+        Editor editor;
+        editor.document.replace(Scene{}, "sail");
+        editor.document.push({Message("Add a part"), {AddItem{0, {Id{1}, Part{}}}}});
+        editor.window.showScene();
+        QVERIFY(editor.document.isModified());
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(SCENES_DIR "/flag.ripstop.json")});
+        QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&editor.window, &enter);
+        QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&editor.window, &drop);
+        QVERIFY(drop.isAccepted());
+        QVERIFY(!QApplication::activeModalWidget());
+        bool wasAsked = false;
+        QTimer answer;
+        connect(&answer, &QTimer::timeout, this, [&] {
+            if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                wasAsked = true;
+                question->button(QMessageBox::Discard)->click();
+            }
+        });
+        answer.start(10);
+        QTRY_COMPARE_WITH_TIMEOUT(QFileInfo(editor.document.file()).fileName(), "flag.ripstop.json",
+                                  patience);
+        QVERIFY(wasAsked);
+    }
+
+    void severalFilesAreToldOneAtATime()
+    {
+        Editor editor;
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(m_cube), QUrl::fromLocalFile(m_cube)});
+        QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&editor.window, &enter);
+        QVERIFY(enter.isAccepted()); // else the drop would not be heard of
+        QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&editor.window, &drop);
+        QVERIFY(!drop.isAccepted());
+        QVERIFY2(editor.window.statusBar()->currentMessage().contains("one alone"),
+                 qPrintable(editor.window.statusBar()->currentMessage()));
     }
 
     void menuAndStartPage()
