@@ -285,6 +285,11 @@
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
+        <source>Show in the view (not in a run)</source>
+        <translation>Montrer dans la vue (pas pendant une simulation)</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
         <source>Strength, stiffness and grain that were painted stay at their places: on %1 of the links and panels.</source>
         <translation>Résistance, raideur et droit-fil peints restent à leur place : sur %1 des liaisons et panneaux.</translation>
     </message>
@@ -292,6 +297,11 @@
         <location filename="builder_dialog.cpp"/>
         <source>The design shows the outcome while this dialog is open.</source>
         <translation>Le modèle montre le résultat tant que cette fenêtre est ouverte.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>The view shows a run, which goes on as it is. What is inserted comes into it; to see it before, go back to the start first.</source>
+        <translation>La vue montre une simulation, qui continue telle quelle. Ce qui est inséré y entre ; pour le voir avant, revenez d’abord au départ.</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -2407,6 +2417,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="export_dialog.cpp"/>
         <source>It is taken from the recording, as it was flown.</source>
         <translation>C’est pris de l’enregistrement, tel que cela a volé.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>No flight is recorded, so the scene is simulated anew from its start.</source>
+        <translation>Aucun vol n’est enregistré : la scène est simulée à nouveau depuis son départ.</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -4577,8 +4592,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
-        <source>%1: torn</source>
-        <translation>%1 : rompu</translation>
+        <source>%1. %2: torn</source>
+        <translation>%1. %2 : rompu</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
@@ -4624,6 +4639,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_list.cpp"/>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>%1 What has broken stands first, in the order in which it did; a click on it goes to that moment where it is recorded.</source>
+        <translation>%1 Ce qui s’est rompu vient d’abord, dans l’ordre des ruptures ; un clic mène à ce moment s’il est enregistré.</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>%1 places have broken: the list has those that broke first, and the worst of the others.</source>
+        <translation>%1 endroits se sont rompus : la liste a ceux qui se sont rompus d’abord, et les pires des autres.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -5298,8 +5323,23 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="menus.cpp"/>
+        <source>No scene has been opened or saved yet.</source>
+        <translation>Aucune scène n’a encore été ouverte ni enregistrée.</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
         <source>None yet: File, Save as template</source>
         <translation>Aucun pour l’instant : Fichier, Enregistrer comme gabarit</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>Nothing has been changed yet.</source>
+        <translation>Rien n’a encore été modifié.</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>Nothing has been undone.</source>
+        <translation>Rien n’a été annulé.</translation>
     </message>
     <message>
         <location filename="menus.cpp"/>
@@ -5310,6 +5350,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="menus.cpp"/>
         <source>Panels and &amp;docks</source>
         <translation>Pa&amp;nneaux de la fenêtre</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>Select something first: in the view, in the outline or with the menu Select.</source>
+        <translation>Sélectionnez d’abord quelque chose : dans la vue, dans l’arborescence ou par le menu Sélectionner.</translation>
     </message>
     <message>
         <location filename="menus.cpp"/>
@@ -6337,6 +6382,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="palette.cpp"/>
+        <source>No action has all of these words in its name, its menu or its help. Try fewer words, or others.</source>
+        <translation>Aucune action n’a tous ces mots dans son nom, son menu ou son aide. Essayez moins de mots, ou d’autres.</translation>
+    </message>
+    <message>
+        <location filename="palette.cpp"/>
         <source>Type what you want to do: mirror, pin, wind…</source>
         <translation>Taper ce que vous voulez faire : symétrie, fixer, vent…</translation>
     </message>
@@ -7284,11 +7334,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="preset_chooser.cpp"/>
         <source>Films</source>
         <translation>Films</translation>
-    </message>
-    <message>
-        <location filename="preset_chooser.cpp"/>
-        <source>Material from a &amp;test…</source>
-        <translation>Matériau d’après un &amp;essai…</translation>
     </message>
     <message>
         <location filename="preset_chooser.cpp"/>
@@ -9072,6 +9117,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="sheet_panel.cpp"/>
         <source>What the rows are. Lines are the links with the role line.</source>
         <translation>Ce que sont les rangs. Les lignes sont les liaisons de rôle ligne.</translation>
+    </message>
+    <message>
+        <location filename="shown_break.cpp"/>
+        <source>The moment at which it broke, %1, is not recorded: the view has the place in its middle as it is now.</source>
+        <translation>Le moment de la rupture, %1, n’est pas enregistré : la vue a l’endroit en son milieu, tel qu’il est maintenant.</translation>
     </message>
     <message>
         <location filename="slider.cpp"/>
@@ -16748,6 +16798,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tool_rows.cpp"/>
+        <source>Material from a &amp;test…</source>
+        <translation>Matériau d’après un &amp;essai…</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
         <source>Particles, links, lines, panels and materials as a spreadsheet.</source>
         <translation>Particules, liaisons, lignes, panneaux et matériaux comme dans un tableur.</translation>
     </message>
@@ -16755,6 +16810,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tool_rows.cpp"/>
         <source>Search the inspector for a property by its name or its help.</source>
         <translation>Chercher une propriété dans l’inspecteur par son nom ou son aide.</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>Stiffness and strength of an own material from a table of force and elongation (CSV).</source>
+        <translation>Raideur et résistance d’un matériau à soi, d’après un tableau de force et d’allongement (CSV).</translation>
     </message>
     <message>
         <location filename="tool_rows.cpp"/>
