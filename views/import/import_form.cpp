@@ -82,7 +82,8 @@ ImportForm::ImportForm(const Scene& scene, QWidget* parent)
     layout->addStretch(1);
     fillUnits(false);
     fillMaterials(scene);
-    for (QComboBox* box : findChildren<QComboBox*>()) // texts of a file come later
+    for (QComboBox* box : {m_unit, m_up, m_parts, m_material, m_carrier, m_styles[0], m_styles[1],
+                           m_styles[2]}) // texts of a file come later
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
 
     connect(m_name, &QLineEdit::textEdited, this, &ImportForm::changed);
