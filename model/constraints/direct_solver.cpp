@@ -245,8 +245,8 @@ double DirectSolver::energyLeft(double share) const
     return twice;
 }
 
-// Of a move that went only part of its way. What the linear system gave for the whole of it does not
-// let go a line that is too long there: the sum counts it, and no way without it leads down.
+// Of a move that went only part of its way. What the linear system gave for the whole of it does
+// not let go a line that is too long there: the sum counts it, and no way without it leads down.
 void DirectSolver::takeShare(double share)
 {
     m_pulls = 0.0;
