@@ -75,6 +75,7 @@ inline constexpr Need canTear = need([](const Link& l, const Around& a) {
 
 // parts
 inline constexpr Need touchesItself = need([](const Part& p, const Around&) { return p.selfContact > 0.0; }, "the part has no self-contact");
+inline constexpr Need hasPanels = need([](const Part& p, const Around&) { return !p.panels.empty(); }, "the part has no panels");
 inline constexpr Need holdsAir = need([](const Part& p, const Around&) { return p.canopyPressure > 0.0; }, "the part has no canopy pressure");
 
 // materials: what is made of them
@@ -83,6 +84,7 @@ inline constexpr Need ofWhatTears = need([](const Around& a) { return a.made.lin
 inline constexpr Need ofPanels = need([](const Around& a) { return a.made.panels > 0; }, "no panel is made of it");
 inline constexpr Need ofSprings = need([](const Around& a) { return a.made.springs > 0; }, idle::onlyRods);
 inline constexpr Need ofRods = need([](const Around& a) { return a.made.rods > 0; }, idle::onlySprings);
+inline constexpr Need ofCloth = need([](const Around& a) { return a.made.panels > 0 || a.made.links() > a.made.lines; }, "no panel is made of it, and its links are all lines");
 inline constexpr Need ofLines = need([](const Around& a) { return a.made.lines > 0; }, "no link of it has the role line");
 inline constexpr Need ofFabric = need([](const Around& a) { return a.made.threads > 0 || a.made.elasticPanels > 0; }, idle::noThread);
 inline constexpr Need ofShearingFabric = need([](const Around& a) { return a.made.biases > 0 || a.made.elasticPanels > 0; }, idle::noBias);

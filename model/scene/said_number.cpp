@@ -15,6 +15,7 @@ namespace ripstop {
 namespace {
 
 constexpr double nothing = 1e-9;          // in SI: what is less is an error of rounding
+constexpr double nothingInMetres = 1e-8;  // of places that many pulls have come to rest at
 constexpr double nothingInPercent = 1e-4; // a strain of 1e-6, which nobody measures on fabric
 
 // Of the unit alone, as far as the first sign that joins it with others.
@@ -125,7 +126,9 @@ std::string plainNumber(double number, int digits)
 
 bool isNothing(double value, std::string_view unit)
 {
-    return std::abs(value) < (unit == "%" ? nothingInPercent : nothing);
+    return std::abs(value) < (unit == "%"   ? nothingInPercent
+                              : unit == "m" ? nothingInMetres
+                                            : nothing);
 }
 
 Message saidNumber(double value, std::string_view unit, int digits)

@@ -15928,6 +15928,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>no panel is made of it, and its links are all lines</source>
+        <translation>aucun panneau n’en est fait, et ses liaisons sont toutes des lignes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>no panel of it carries the pull of a fabric</source>
         <translation>aucun de ses panneaux ne porte la traction d’un tissu</translation>
     </message>
@@ -16100,6 +16105,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>the part has no canopy pressure</source>
         <translation>la pièce n’a pas de pression de voilure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the part has no panels</source>
+        <translation>la pièce n’a pas de panneaux</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16278,6 +16288,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="test_table.cpp"/>
+        <source>%1 lines have an empty cell and are left out, the first of them line %2.</source>
+        <translation>%1 lignes ont une cellule vide et sont omises, dont la première est la ligne %2.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
         <source>%1, line %2: "%3" is no number.</source>
         <translation>%1, ligne %2 : « %3 » n’est pas un nombre.</translation>
     </message>
@@ -16285,11 +16300,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="test_table.cpp"/>
         <source>%1, line %2: %3 has a decimal comma, and other cells have a decimal point; write all decimals alike.</source>
         <translation>%1, ligne %2 : %3 a une virgule décimale, et d’autres cellules un point décimal ; écrivez toutes les décimales de la même façon.</translation>
-    </message>
-    <message>
-        <location filename="test_table.cpp"/>
-        <source>%1, line %2: Cell %3 is empty; leave the whole row out.</source>
-        <translation>%1, ligne %2 : la cellule %3 est vide ; supprimer toute la ligne.</translation>
     </message>
     <message>
         <location filename="test_table.cpp"/>
@@ -16320,6 +16330,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="test_table.cpp"/>
         <source>%1: The unit of the force is not told: write "force (N)" in the header, or give it.</source>
         <translation>%1 : l’unité de la force n’est pas dite : écrire « force (N) » dans l’en-tête, ou la donner.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>Line %1 has an empty cell and is left out.</source>
+        <translation>La ligne %1 a une cellule vide et est omise.</translation>
     </message>
     <message>
         <location filename="test_table.cpp"/>

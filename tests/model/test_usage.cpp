@@ -88,6 +88,12 @@ private slots:
         row("radius of a plane", 12, "radius", "only round shapes");
         row("sweeps of the automatic solver", int(settingsId), "sweeps", "one sweep");
         row("its wanted strain", int(settingsId), "strainGoal", "");
+        row("areal density of a line", 8, "arealDensity", "no panel is made of it");
+        row("warp strength of a line", 8, "warpStrength", "its links are all lines");
+        row("linear density of a line", 8, "linearDensity", "");
+        row("areal density of fabric", 10, "arealDensity", "");
+        row("line strength of fabric", 10, "lineStrength", "no link of it has the role line");
+        row("canopy pressure of fabric", 1, "canopyPressure", "");
         row("friction without self-contact", 1, "selfFriction", "no self-contact");
         row("added mass without canopy pressure", 1, "addedMass", "no canopy pressure");
     }
@@ -100,6 +106,17 @@ private slots:
         QCOMPARE(reason.has_value(), !because.isEmpty());
         if (reason)
             QVERIFY2(QString::fromStdString(*reason).contains(because), reason->c_str());
+    }
+
+    void aPartOfLinesIsNoCloth()
+    {
+        Scene scene = mixed();
+        for (Entry& entry : scene.items)
+            if (auto* part = std::get_if<Part>(&entry.item))
+                part->panels.clear();
+        for (const char* key : {"carrier", "canopyPressure", "areaTarget"})
+            QVERIFY2(says(why(scene, Id{1}, key), "no panels"), key);
+        QVERIFY(!why(scene, Id{1}, "massTarget"));
     }
 
     // Iterations are for rods: where all is springs they do nothing. The solver matters, since the

@@ -58,6 +58,8 @@ private slots:
     {
         QCOMPARE(readingText(Quantity::MaxStrain, 0.0002, ""), QString("0.02\u00a0%"));
         QCOMPARE(readingText(Quantity::MaxStrain, 2.398e-14, ""), QString("0\u00a0%"));
+        QCOMPARE(readingText(Quantity::PositionY, -7.567e-9, "m"), QString("0\u00a0m")); // lies
+        QCOMPARE(readingText(Quantity::PositionY, 2e-8, "m"), QString("0.02\u00a0\u00b5m"));
         QCOMPARE(readingText(Quantity::GlideRatio, 9.5, ""), QString("9.5"));
         QCOMPARE(readingText(Quantity::Strain, std::nan(""), ""), QString(QChar(0x2013)));
     }
@@ -74,6 +76,9 @@ private slots:
         QTest::newRow("small") << 8e-4 << "m"
                                << "0.8 mm"
                                << "";
+        QTest::newRow("line of 1 mm") << 1e-3 << "m"
+                                      << "1 mm"
+                                      << "";
         QTest::newRow("line") << 5e-4 << "kg/m"
                               << "0.5 g/m"
                               << "";

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int fieldDigits = 6; // as compactNumber() has
 constexpr double leastInField = 1e-3;
+constexpr double leastMetresInField = 1e-2; // diameters are millimetres wherever they stand
 constexpr double mostInField = 1e6;
 
 QString plain(double number, int digits)
@@ -100,9 +101,10 @@ QString SpokenScale::atStep(double value, double step) const
 Spoken spokenInField(double value, std::string_view unit)
 {
     const double size = std::abs(value);
-    if (size == 0.0 || (size >= leastInField && size < mostInField) || !std::isfinite(value))
+    const double least = unit == "m" ? leastMetresInField : leastInField;
+    if (size == 0.0 || (size >= least && size < mostInField) || !std::isfinite(value))
         return {compactNumber(value), text(unit)};
-    const NumberInUnit said = inReadableUnit(value, unit, leastInField, mostInField);
+    const NumberInUnit said = inReadableUnit(value, unit, least, mostInField);
     const QString number = plain(said.number, fieldDigits);
     return said.unit == unit ? Spoken{number, text(unit)}
                              : Spoken{number + QChar(' ') + text(said.unit), QString()};

@@ -6,6 +6,7 @@
 #include "start/parameter_field.h"
 
 #include "document/number_line.h"
+#include "document/spoken.h"
 #include "document/words.h"
 #include "icons/complaint.h"
 #include "scene/typed_number.h"
@@ -152,7 +153,7 @@ QWidget* ParameterField::numberRow(Slider slider)
     if (slider == Slider::With)
         m_number->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.0000 m")));
     m_number->installEventFilter(this);
-    auto* unit = new QLabel(unitText(m_parameter));
+    auto* unit = m_unit = new QLabel(unitText(m_parameter));
     unit->setForegroundRole(QPalette::PlaceholderText);
     unit->setMinimumWidth(unit->fontMetrics().horizontalAdvance(QStringLiteral("kg/m\u00b2")));
     if (slider == Slider::With)
@@ -168,7 +169,7 @@ QWidget* ParameterField::numberRow(Slider slider)
         bool isPlain = false;
         (void)QLocale().toDouble(m_number->text(), &isPlain);
         if (!isPlain && refusal().isEmpty())
-            m_number->setText(compactNumber(value()));
+            show(value());
     });
     return row;
 }
@@ -182,8 +183,7 @@ QSlider* ParameterField::newSlider()
     m_slider->setMinimumWidth(60);
     m_slider->installEventFilter(this);
     connect(m_slider, &QSlider::valueChanged, this, [this] {
-        m_number->setText(compactNumber(sliderValue()));
-        mark();
+        show(sliderValue());
         emit changed();
     });
     return m_slider;
@@ -207,8 +207,7 @@ void ParameterField::setValue(double value)
     } else if (m_choice) {
         m_choice->setCurrentIndex(int(value));
     } else {
-        m_number->setText(compactNumber(value));
-        mark();
+        show(value);
         showOnSlider();
     }
 }
@@ -228,8 +227,22 @@ QString ParameterField::refusal() const
     return tr("%1 must be %2 from %3.").arg(label(m_parameter), kind, range(m_parameter));
 }
 
+// As the inspector shows it: 0.55 mm, with its own unit where that of the field would hide it.
+void ParameterField::show(double value)
+{
+    m_number->setText(spokenInField(value, m_parameter.unit).number);
+    mark();
+}
+
 void ParameterField::mark()
 {
+    const QString typed = m_number->text();
+    bool isNumber = false;
+    (void)QLocale().toDouble(typed, &isNumber); // 1e-3 has a letter, too
+    const bool hasUnit = !isNumber && std::any_of(typed.begin(), typed.end(), [](QChar sign) {
+        return sign.isLetter() || sign == QChar('%');
+    });
+    m_unit->setText(hasUnit ? QString() : unitText(m_parameter));
     QPalette colors;
     if (!isInRange())
         colors.setColor(QPalette::Text, wrongColor(colors));

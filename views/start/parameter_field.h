@@ -13,6 +13,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QSlider;
 
@@ -46,6 +47,7 @@ protected:
 private:
     QWidget* numberRow(Slider slider);
     QSlider* newSlider();
+    void show(double value); // in the number
     void mark();
     void showOnSlider();
     double sliderValue() const; // rounded to what a step of the slider can tell
@@ -54,6 +56,7 @@ private:
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;
     QLineEdit* m_number = nullptr;
+    QLabel* m_unit = nullptr; // of a bare number
     QSlider* m_slider = nullptr;
 };
 
