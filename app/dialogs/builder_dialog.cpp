@@ -29,6 +29,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ripstop {
 namespace {
@@ -36,6 +37,25 @@ namespace {
 constexpr int patience = 120;            // ms after the last change
 constexpr std::size_t mostShown = 20000; // particles that are shown while one types
 constexpr int formWidth = 440;           // pixels
+
+// What was changed in the form of one design and is the same number, or the same choices, of
+// another one.
+Parameters takenOver(const Builder& from, const Parameters& values, const Builder& to)
+{
+    Parameters taken;
+    for (const Parameter& parameter : to.parameters) {
+        const auto like = std::ranges::find(from.parameters, parameter.key, &Parameter::key);
+        if (like == from.parameters.end() || like->unit != parameter.unit
+            || like->whole != parameter.whole
+            || !std::ranges::equal(like->choices, parameter.choices))
+            continue;
+        const std::string key(parameter.key);
+        const double value = values.at(key);
+        if (value != like->atFirst() && value >= parameter.low && value <= parameter.high)
+            taken[key] = value;
+    }
+    return taken;
+}
 
 } // namespace
 
@@ -201,7 +221,9 @@ void BuilderDialog::showParameters()
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
+    keepTyped();
     m_form = new ParameterForm(builder.parameters);
+    m_form->setValues(typedFor(builder));
     layout->addWidget(m_form);
     connect(m_form, &ParameterForm::changed, this, &BuilderDialog::buildSoon);
     m_table = nullptr;
@@ -214,6 +236,7 @@ void BuilderDialog::showParameters()
             tr("Empty: by the numbers above. Or paste from a spreadsheet."));
         m_table->setToolTip(translated(builder.table->help));
         m_table->setFixedHeight(5 * fontMetrics().lineSpacing());
+        m_table->setPlainText(m_typed[&builder].table);
         auto* label = new QLabel(
             tr("%1 (%2)").arg(choiceLabel(builder.table->key), text(builder.table->unit)));
         label->setBuddy(m_table);
@@ -224,7 +247,25 @@ void BuilderDialog::showParameters()
     layout->addStretch(1);
     m_scroll->setWidget(page); // setWidget() deletes the page before
     m_scroll->setMinimumWidth(page->minimumSizeHint().width() + 20);
+    m_shown = &builder;
     post();
+}
+
+void BuilderDialog::keepTyped()
+{
+    if (m_shown)
+        m_typed[m_shown] = {m_form->values(), m_table ? m_table->toPlainText() : QString()};
+}
+
+// What was typed for this design before, or else what of the one before it means the same here.
+Parameters BuilderDialog::typedFor(const Builder& builder) const
+{
+    const auto before = m_typed.find(&builder);
+    if (before == m_typed.end())
+        return m_shown ? takenOver(*m_shown, m_typed.at(m_shown).values, builder) : Parameters();
+    Parameters typed = before->second.values;
+    std::erase_if(typed, [](const auto& value) { return !std::isfinite(value.second); });
+    return typed;
 }
 
 // Fills the form with what the part was built with.

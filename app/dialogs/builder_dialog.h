@@ -19,6 +19,7 @@
 #include <QDialog>
 #include <QTimer>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -74,6 +75,8 @@ private:
     BuilderDialog(const QString& builder, std::optional<OpenDesign> open, QWidget* parent);
     void layOut();
     void showParameters(); // of the chosen builder
+    void keepTyped();
+    Parameters typedFor(const Builder& builder) const;
     void showValuesOf(const Part& part);
     void restoreDefaults();
     void buildSoon();
@@ -92,6 +95,13 @@ private:
     QScrollArea* m_scroll;
     ParameterForm* m_form = nullptr;
     QPlainTextEdit* m_table = nullptr; // of a builder that takes one
+    struct Typed
+    {
+        Parameters values;
+        QString table;
+    };
+    std::map<const Builder*, Typed> m_typed; // until the dialog closes
+    const Builder* m_shown = nullptr;        // by the form
     QCheckBox* m_show;
     QLabel* m_figures;
     Complaint* m_lost; // what would go of the work of hands

@@ -106,6 +106,36 @@ private slots:
         QVERIFY(qobject_cast<QPushButton*>(okOf(dialog))->isDefault());
     }
 
+    // What was typed for a design is there again when one comes back to it; a span or a wind is
+    // that of the next design, too, where it may have it.
+    void eachDesignKeepsWhatWasTyped()
+    {
+        BuilderDialog dialog(QStringLiteral("delta_kite"));
+        dialog.show();
+        auto* builders = dialog.findChild<QComboBox*>("builder");
+        const auto choose = [&](const char* name) {
+            builders->setCurrentIndex(builders->findData(QString(name)));
+        };
+        type(numberOf(dialog, "span"), "3");
+        type(numberOf(dialog, "wind"), "9");
+        choose("hang_glider");
+        QCOMPARE(numberOf(dialog, "span")->text(), QString("3"));
+        type(numberOf(dialog, "span"), "10.5");
+        choose("delta_kite");
+        QCOMPARE(numberOf(dialog, "span")->text(), QString("3"));
+        QCOMPARE(numberOf(dialog, "wind")->text(), QString("9"));
+        choose("bridle");
+        auto* rows = dialog.findChild<QPlainTextEdit*>();
+        QVERIFY(rows);
+        rows->setPlainText("1\t0.4");
+        choose("hang_glider");
+        QCOMPARE(numberOf(dialog, "span")->text(), QString("10.5"));
+        choose("bridle");
+        QCOMPARE(dialog.findChild<QPlainTextEdit*>()->toPlainText(), QString("1\t0.4"));
+        choose("cloth");
+        QCOMPARE(numberOf(dialog, "wind")->text(), QString("9")); // unchanged in the bridle
+    }
+
     // Choices and sliders that pass under the wheel stay as they are; one that has the focus turns.
     void scrollingChangesNothing()
     {
