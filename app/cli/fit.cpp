@@ -170,17 +170,19 @@ int fitTest(const FitOptions& options)
     std::ostringstream text;
     if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())))
         return fail(BadInput, options.file + " cannot be read.");
-    const auto points = readMaterialTest(text.str(), options.file, *size, options.units);
-    if (!points)
-        return fail(BadInput, points.message());
-    const Result<MaterialFit> fit = fitMaterialTest(*points, *size, *range);
+    const auto test = readMaterialTest(text.str(), options.file, *size, options.units);
+    if (!test)
+        return fail(BadInput, test.message());
+    if (const auto skipped = skippedText(*test))
+        warn(options.file + ": " + skipped->english());
+    const Result<MaterialFit> fit = fitMaterialTest(test->points, *size, *range);
     if (!fit)
         return fail(BadInput, Message("%1: %2", options.file, fit.message()));
     if (options.json)
         printFitJson(*fit, *size);
     else
         printFit(*fit, *size);
-    return options.saved.empty() ? int(Done) : saveFit(options, *fit, *points, *size);
+    return options.saved.empty() ? int(Done) : saveFit(options, *fit, test->points, *size);
 }
 
 void addSavingOptions(CLI::App& command, FitOptions& options)

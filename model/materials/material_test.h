@@ -54,8 +54,18 @@ struct TestPoint
 // Reads a table with a column for the force and one for the elongation, separated by commas,
 // semicolons or tabs. A header names them, with units: "force (N),elongation (mm)"; without one
 // they stand in this order and have the units that are given. Lines that begin with # are remarks.
-Result<std::vector<TestPoint>> readMaterialTest(std::string_view text, std::string_view name,
-                                                const SpecimenSize& size, const TestUnits& units);
+// A row in which one of the two cells is empty is skipped, as loggers leave them.
+struct MaterialTest
+{
+    std::vector<TestPoint> points;
+    std::vector<int> skipped; // lines, from 1
+};
+
+Result<MaterialTest> readMaterialTest(std::string_view text, std::string_view name,
+                                      const SpecimenSize& size, const TestUnits& units);
+
+// Names the lines that were skipped; nothing where there are none.
+std::optional<Message> skippedText(const MaterialTest& test);
 
 struct ElongationRange
 {

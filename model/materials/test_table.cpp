@@ -206,9 +206,6 @@ Result<double> numberAt(const Line& line, std::size_t column, std::string_view n
     const std::string& cell = line.cells[column];
     if (const auto number = numberIn(cell))
         return *number;
-    if (cell.empty())
-        return Failure("%1, line %2: Cell %3 is empty; leave the whole row out.", name, line.number,
-                       column + 1);
     if (isDecimalComma(cell))
         return Failure("%1, line %2: %3 has a decimal comma, and other cells have a decimal point; "
                        "write all decimals alike.",
@@ -218,8 +215,8 @@ Result<double> numberAt(const Line& line, std::size_t column, std::string_view n
 
 } // namespace
 
-Result<std::vector<TestPoint>> readMaterialTest(std::string_view text, std::string_view name,
-                                                const SpecimenSize& size, const TestUnits& given)
+Result<MaterialTest> readMaterialTest(std::string_view text, std::string_view name,
+                                      const SpecimenSize& size, const TestUnits& given)
 {
     if (!(size.length > 0.0) || (size.specimen == Specimen::Strip && !(size.width > 0.0)))
         return Failure("The size of the specimen must be told: its length, and of a strip its "
@@ -244,12 +241,17 @@ Result<std::vector<TestPoint>> readMaterialTest(std::string_view text, std::stri
     }
     if (const auto failure = findUnits(name, units, size, columns))
         return *failure;
-    std::vector<TestPoint> points;
+    MaterialTest test;
+    std::vector<TestPoint>& points = test.points;
     for (const Line& line : lines) {
         if (line.cells.size() != columns.count)
             return Failure("%1, line %2: It has %3 cells instead of %4; decimals are written with "
                            "a point.",
                            name, line.number, line.cells.size(), columns.count);
+        if (line.cells[columns.force].empty() || line.cells[columns.elongation].empty()) {
+            test.skipped.push_back(line.number);
+            continue;
+        }
         const Result<double> force = numberAt(line, columns.force, name);
         if (!force)
             return force.failure();
@@ -266,7 +268,17 @@ Result<std::vector<TestPoint>> readMaterialTest(std::string_view text, std::stri
     if (points.size() < 3)
         return Failure("%1 has %2 rows of numbers; a fit needs three or more.", name,
                        points.size());
-    return points;
+    return test;
+}
+
+std::optional<Message> skippedText(const MaterialTest& test)
+{
+    if (test.skipped.empty())
+        return std::nullopt;
+    if (test.skipped.size() == 1)
+        return Message("Line %1 has an empty cell and is left out.", test.skipped.front());
+    return Message("%1 lines have an empty cell and are left out, the first of them line %2.",
+                   test.skipped.size(), test.skipped.front());
 }
 
 } // namespace ripstop

@@ -147,10 +147,10 @@ void fuzzMaterialTest(std::string_view bytes)
     SpecimenSize size;
     size.length = 0.2;
     size.width = 0.05;
-    const auto points = readMaterialTest(bytes, "fuzzed", size, {});
-    if (!points)
-        return demandSentence(points.failure());
-    if (const auto fit = fitMaterialTest(*points, size, {}); !fit)
+    const auto test = readMaterialTest(bytes, "fuzzed", size, {});
+    if (!test)
+        return demandSentence(test.failure());
+    if (const auto fit = fitMaterialTest(test->points, size, {}); !fit)
         demandSentence(fit.failure());
 }
 

@@ -170,6 +170,7 @@ private slots:
         row("of a spreadsheet",
             "\xef\xbb\xbf\"Force (N)\",\"Elongation (mm)\"\r\n0,0\r\n50,1\r\n100,2");
         row("no header", "0,0\n50,1\n100,2\n", "N", "mm");
+        row("gap in another column", "time (s),force (N),elongation (mm)\n0,0,0\n,50,1\n2,100,2\n");
         row("units beside", "force,elongation\n0,0\n50,1\n100,2\n", "N", "mm");
     }
     void unitsAndHeaders()
@@ -177,12 +178,13 @@ private slots:
         QFETCH(QString, text);
         QFETCH(QString, force);
         QFETCH(QString, elongation);
-        const auto points = readMaterialTest(text.toStdString(), "test.csv", strip,
-                                             {force.toStdString(), elongation.toStdString()});
-        QVERIFY2(bool(points), points ? "" : points.message().english().c_str());
-        QCOMPARE(points->size(), std::size_t(3));
-        QVERIFY(isNear((*points)[2].elongation, 0.01, 1e-12));
-        QVERIFY(isNear((*points)[2].force, 100.0, 1e-12));
+        const auto test = readMaterialTest(text.toStdString(), "test.csv", strip,
+                                           {force.toStdString(), elongation.toStdString()});
+        QVERIFY2(bool(test), test ? "" : test.message().english().c_str());
+        QCOMPARE(test->points.size(), std::size_t(3));
+        QVERIFY(isNear(test->points[2].elongation, 0.01, 1e-12));
+        QVERIFY(isNear(test->points[2].force, 100.0, 1e-12));
+        QVERIFY(!skippedText(*test));
     }
 
     void badTablesAreExplained_data()
@@ -203,7 +205,7 @@ private slots:
         QTest::newRow("wrong unit") << "force (N),elongation (kg)\n0,0\n"
                                     << "unit of the elongation";
         QTest::newRow("gap") << head + "0,0\n,1\n2,2\n"
-                             << "line 3: Cell 1 is empty";
+                             << "2 rows of numbers";
         QTest::newRow("short row") << head + "0,0\n1\n2,2\n"
                                    << "line 3: It has 1 cells instead of 2";
         QTest::newRow("text") << head + "0,0\nbroke,1\n2,2\n"
@@ -218,6 +220,25 @@ private slots:
         QTest::newRow("goes back") << head + "0,0\n2,2\n1,1\n"
                                    << "line 4: The elongation goes back";
     }
+    // Loggers leave cells empty; the other rows are a test all the same.
+    void rowsWithAGapAreLeftOutAndNamed()
+    {
+        const auto one = readMaterialTest("force (N),elongation (mm)\n0,0\n50,1\n,1.5\n100,2\n",
+                                          "test.csv", strip, {});
+        QVERIFY2(bool(one), one ? "" : one.message().english().c_str());
+        QCOMPARE(one->points.size(), std::size_t(3));
+        QCOMPARE(one->points[2].force, 100.0);
+        QCOMPARE(skippedText(*one)->english(),
+                 std::string("Line 4 has an empty cell and is left out."));
+        const auto two =
+            readMaterialTest("# a remark\nforce (N),elongation (mm)\n0,0\n,\n50,1\n80,\n100,2\n",
+                             "test.csv", strip, {});
+        QVERIFY(bool(two));
+        QCOMPARE(skippedText(*two)->english(),
+                 std::string("2 lines have an empty cell and are left out, the first of them line "
+                             "4."));
+    }
+
     // As spreadsheets write tables where decimals have a comma.
     void decimalCommasBetweenSemicolons()
     {
@@ -227,10 +248,10 @@ private slots:
                                              "test.csv", strip, {});
         QVERIFY2(bool(commas), commas ? "" : commas.message().english().c_str());
         QVERIFY(bool(points));
-        QCOMPARE(commas->size(), points->size());
-        for (std::size_t i = 0; i < points->size(); ++i) {
-            QCOMPARE((*commas)[i].force, (*points)[i].force);
-            QCOMPARE((*commas)[i].elongation, (*points)[i].elongation);
+        QCOMPARE(commas->points.size(), points->points.size());
+        for (std::size_t i = 0; i < points->points.size(); ++i) {
+            QCOMPARE(commas->points[i].force, points->points[i].force);
+            QCOMPARE(commas->points[i].elongation, points->points[i].elongation);
         }
     }
 

@@ -232,9 +232,12 @@ private slots:
         MaterialTestDialog dialog;
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         const QString file = m_home->filePath("bad.csv");
-        write(file, "force (N),elongation (mm)\n0,0\n,1\n");
+        write(file, "force (N),elongation (mm)\n0,0\nbroke,1\n");
         dialog.read(file);
-        QVERIFY(says(dialog, "line 3: Cell 1 is empty"));
+        QVERIFY(says(dialog, "line 3: \"broke\" is no number"));
+        write(file, "force (N),elongation (mm)\n0,0\n20,1\n,1.5\n40,2\n60,3\n80,4\n100,5\n");
+        dialog.read(file);
+        QVERIFY(says(dialog, "Line 4 has an empty cell and is left out."));
         dialog.read(m_home->filePath("none.csv"));
         QVERIFY(says(dialog, "cannot be read"));
         QVERIFY(!button(dialog, "Save")->isEnabled());

@@ -245,11 +245,11 @@ void MaterialTestDialog::refresh()
                 "force (N),elongation (mm)"));
         return draw(m_size);
     }
-    auto points = readMaterialTest(m_text, QFileInfo(m_file).fileName().toStdString(), m_size,
-                                   {textOf(m_forceUnit), textOf(m_elongationUnit)});
-    if (!points)
-        return failed(points.message());
-    m_points = std::move(*points);
+    auto test = readMaterialTest(m_text, QFileInfo(m_file).fileName().toStdString(), m_size,
+                                 {textOf(m_forceUnit), textOf(m_elongationUnit)});
+    if (!test)
+        return failed(test.message());
+    m_points = std::move(test->points);
     const auto range = this->range();
     if (!range)
         return failed(range.message());
@@ -258,6 +258,8 @@ void MaterialTestDialog::refresh()
         return failed(fit.message());
     m_fit = *fit;
     tell(*fit, m_size);
+    if (const auto skipped = skippedText(*test))
+        m_result->setText(m_result->text() + QChar('\n') + translated(*skipped));
     draw(m_size);
 }
 
