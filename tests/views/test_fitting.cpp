@@ -7,6 +7,7 @@
 #include "camera/camera_projection.h"
 #include "camera/overlay_margins.h"
 #include "look/subject.h"
+#include "overlays/legend.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -87,6 +88,39 @@ private slots:
         QVERIFY(std::abs(margins.bottom - 120.0 / 600.0) < 1e-9);
         bar->hide();
         QCOMPARE(overlayMarginsOf(view).bottom, 0.0);
+        child({680, 10, 110, 180}); // a legend, upright but less than a third of the height
+        QVERIFY(std::abs(overlayMarginsOf(view).right - 120.0 / 800.0) < 1e-9);
+    }
+
+    // A legend that comes over a design that nobody has turned or moved leaves it in sight; a
+    // camera that a person placed stays where it is.
+    void aLegendThatComesCoversNothing()
+    {
+        View view(*build(*findBuilder("cloth"), {}));
+        view.viewport.resize(800, 600);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        const auto rightmost = [&] {                                // pixel
+            (void)view.viewport.image(Viewport::Overlays::Without); // as when it is painted
+            const CameraProjection project(view.viewport.camera(), view.viewport.width(),
+                                           view.viewport.height());
+            double most = 0.0;
+            for (const Vec3& place : view.viewport.frame()->position)
+                most = std::max(most, project.pixel(place)->x());
+            return most;
+        };
+        view.viewport.view(PresetView::Front);
+        QTRY_VERIFY(rightmost() > 400.0);
+        view.viewport.setColorBy(ColorBy::Strain);
+        QTRY_VERIFY(!view.viewport.legend().isHidden());
+        QVERIFY(rightmost() < view.viewport.legend().geometry().left());
+
+        Camera mine = view.viewport.camera();
+        mine.distance *= 0.7;
+        view.viewport.look(mine);
+        view.viewport.setColorBy(ColorBy::Material);
+        (void)rightmost();
+        QCOMPARE(view.viewport.camera().distance, mine.distance);
     }
 
     // The first look is at the sail with its bridle, of which the tow point is where three lines or

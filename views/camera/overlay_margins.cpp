@@ -13,8 +13,8 @@ constexpr double most = 0.3;         // of the width or height that one side may
 
 bool isAtSide(const QWidget& child, const QWidget& view)
 {
-    return child.height() >= tall * view.height() && child.width() <= narrow * view.width()
-           && child.y() <= tall * view.height();
+    return (child.height() >= tall * view.height() || child.height() > child.width())
+           && child.width() <= narrow * view.width() && child.y() <= tall * view.height();
 }
 
 bool isBar(const QWidget& child, const QWidget& view)

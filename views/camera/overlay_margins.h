@@ -14,7 +14,8 @@ namespace ripstop {
 
 // Shares of the width and the height of the view, 0 .. 0.3 each, that visible children cover on its
 // left and right side and at its lower edge. At the sides count tall, narrow children: from the top
-// third of the view on, higher than a third of it and no wider than a third of it. Below count
+// third of the view on, no wider than a third of it, and higher than that or than they are wide, as
+// the legend of colours is, which is no higher in a large view. Below count
 // bars: in the lower third, wider than a third of the view and than twice their height. The margin
 // at the top is always 0.
 OverlayMargins overlayMarginsOf(const QWidget& view);

@@ -87,10 +87,15 @@ void Viewport::Private::prepare()
     stage.prepare(document.scene());
     keepWhole();
     compass.setWind(stage.frame() ? stage.frame()->wind : Vec3::Zero());
+    const bool wasHidden = legend.isHidden();
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
     if (!legend.isHidden())
         legend.setPeak(stage.isKnown() ? std::optional(stage.peak()) : std::nullopt);
     place();
+    if (untouched && legend.isHidden() != wasHidden) { // it has come over the design, or gone
+        fitNow();
+        place();
+    }
 }
 
 // Where something stands that would begin at this place, had the strip of tools not come down so
