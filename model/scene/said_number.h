@@ -39,8 +39,8 @@ std::string plainNumber(double number, int digits);
 
 // Whether it is less than what the engine holds: positions of metres are known to about 1e-12 m,
 // and what is worked out of their differences, pulls and strains, to a thousand times that. Lengths
-// are nothing below 10 nm, as what lies on the ground does so no more exactly, and shares in percent
-// below a millionth: no fabric is measured as finely.
+// are nothing below 10 nm, as what lies on the ground does so no more exactly, and shares in
+// percent below a millionth: no fabric is measured as finely.
 bool isNothing(double value, std::string_view unit = {});
 
 // "206.3 g"; a dash for what is no number.
