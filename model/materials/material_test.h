@@ -51,16 +51,16 @@ struct TestPoint
     double force;      // N
 };
 
-// Reads a table with a column for the force and one for the elongation, separated by commas,
-// semicolons or tabs. A header names them, with units: "force (N),elongation (mm)"; without one
-// they stand in this order and have the units that are given. Lines that begin with # are remarks.
-// A row in which one of the two cells is empty is skipped, as loggers leave them.
 struct MaterialTest
 {
     std::vector<TestPoint> points;
     std::vector<int> skipped; // lines, from 1
 };
 
+// Reads a table with a column for the force and one for the elongation, separated by commas,
+// semicolons or tabs. A header names them, with units: "force (N),elongation (mm)"; without one
+// they stand in this order and have the units that are given. Lines that begin with # are remarks.
+// A row in which one of the two cells is empty is skipped, as loggers leave them.
 Result<MaterialTest> readMaterialTest(std::string_view text, std::string_view name,
                                       const SpecimenSize& size, const TestUnits& units);
 
