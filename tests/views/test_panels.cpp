@@ -318,7 +318,7 @@ private slots:
         bench.player.play();
         QTRY_VERIFY(!error->text().isEmpty() && !error->font().bold());
         bench.player.pause();
-        QCOMPARE(list->count(), 0);
+        QTRY_COMPARE(list->count(), 0);
     }
 
     // Both the check and the stability list know of it; the one with a repair tells it.
