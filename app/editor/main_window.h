@@ -73,11 +73,11 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    void openDropped(const QString& file);
 
 private:
     MainWindow(Document& document, Selection& selection, Player& player, Memory memory,
-               const DrawSettings& drawSettings, Recordings* recordings); // null: its own
+               const DrawSettings& drawSettings, Recordings* recordings);
+    void openDropped(const QString& file); // null: its own
     void takeOver(MainWindow& before);
     void buildDocks();
     void buildActions();

@@ -130,17 +130,22 @@ double DirectSolver::foreseenPull(const Bar& bar, const RodTask& task) const
     return bar.resists == Resists::Tension ? std::max(pull, 0.0) : std::min(pull, 0.0);
 }
 
+void DirectSolver::takePositions(std::span<const PaddedVec3> position, ThreadPool& pool)
+{
+    pool.parallelFor(m_particle.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3& x = position[std::size_t(m_particle[i])];
+            m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
+        }
+    });
+}
+
 int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int iterations,
                           ThreadPool& pool, double tolerance)
 {
     if (isEmpty())
         return 0;
-    pool.parallelFor(m_particle.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Vec3& x = task.position[std::size_t(m_particle[i])];
-            m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
-        }
-    });
+    takePositions(task.position, pool);
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
     guessPushes(task);
@@ -288,10 +293,7 @@ void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
         return loads;
     });
     if (!task.nearby.empty()) {
-        for (std::size_t i = 0; i < nodes(); ++i) {
-            const Vec3& x = task.nearby[std::size_t(m_particle[i])];
-            m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
-        }
+        takePositions(task.nearby, pool);
         return measure(pool);
     }
     double here = 0.0;

@@ -147,6 +147,7 @@ private:
     Arrival arrive(ThreadPool& pool);
     Arrival arriveOf(std::size_t first, std::size_t last);
     void takeShare(double share);
+    void takePositions(std::span<const PaddedVec3> position, ThreadPool& pool);
     void startNearer(const RodTask& task, ThreadPool& pool);
     Starts startsOf(std::size_t first, std::size_t last);
     double startBars(const RodTask& task, std::span<const double> multiplier, std::size_t first,

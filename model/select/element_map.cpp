@@ -35,7 +35,14 @@ std::vector<Formula::Name> mapNames()
             {"grey", ""}};
 }
 
-constexpr const char* namesOfMaps = "x, y, z, u, v, value, grey";
+// "x, y, z" and so on.
+std::string listOf(const std::vector<Formula::Name>& names)
+{
+    std::string list;
+    for (const Formula::Name& name : names)
+        list += (list.empty() ? "" : ", ") + name.name;
+    return list;
+}
 
 struct Spot
 {
@@ -107,16 +114,25 @@ std::optional<double> presentValue(const Scene& scene, const Property& property,
     return link ? ofItsMaterial(scene, property, **link) : std::nullopt;
 }
 
-// Around the particles of those elements that have the number, m.
-Eigen::AlignedBox3d boxAround(const Scene& scene, const Property& property,
-                              const std::vector<Id>& elements)
+// The particles of those elements that have the number.
+template <typename Visit> // visit(particle)
+void forEachParticle(const Scene& scene, const Property& property, const std::vector<Id>& elements,
+                     Visit visit)
 {
-    Eigen::AlignedBox3d box;
     for (const Id id : elements)
         if (const auto element = find(scene, id); element && kindOf(*element) == property.kind)
             for (const Id particle : particlesOf(*element))
                 if (const Particle* row = particleOf(scene, particle))
-                    box.extend(row->position);
+                    visit(*row);
+}
+
+// m
+Eigen::AlignedBox3d boxAround(const Scene& scene, const Property& property,
+                              const std::vector<Id>& elements)
+{
+    Eigen::AlignedBox3d box;
+    forEachParticle(scene, property, elements,
+                    [&](const Particle& particle) { box.extend(particle.position); });
     return box;
 }
 
@@ -127,11 +143,9 @@ public:
     PicturePlace(const Scene& scene, const Property& property, const std::vector<Id>& elements)
         : m_box(boxAround(scene, property, elements))
     {
-        for (const Id id : elements)
-            if (const auto element = find(scene, id); element && kindOf(*element) == property.kind)
-                for (const Id particle : particlesOf(*element))
-                    if (const Particle* row = particleOf(scene, particle))
-                        m_isPrinted |= row->textureU != 0.0 || row->textureV != 0.0;
+        forEachParticle(scene, property, elements, [this](const Particle& particle) {
+            m_isPrinted |= particle.textureU != 0.0 || particle.textureV != 0.0;
+        });
         Eigen::Index least = 2;
         if (!m_box.isEmpty())
             m_box.sizes().minCoeff(&least);
@@ -190,9 +204,9 @@ Result<MappedNumbers> mapped(const Scene& scene, const Property& property,
         return Failure("%1 is no number of particles, links or panels.", property.key);
     const std::vector<Formula::Name> names = mapNames();
     if (formula.find_first_not_of(' ') == std::string_view::npos)
-        return Failure("The formula is empty; write one of %1.", namesOfMaps);
+        return Failure("The formula is empty; write one of %1.", listOf(names));
     if (const std::string unknown = Formula::unknownName(formula, names); !unknown.empty())
-        return Failure("The formula asks for \"%1\"; it can ask for %2.", unknown, namesOfMaps);
+        return Failure("The formula asks for \"%1\"; it can ask for %2.", unknown, listOf(names));
     Result<Formula> read = Formula::read(formula, names);
     if (!read)
         return read.failure();

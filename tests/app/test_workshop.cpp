@@ -54,23 +54,6 @@ struct Shop : WindowShop
         QTest::keyClick(&viewport, key);
     }
 
-    // Triggers an action and works in its dialog; what is left open is dismissed.
-    template <typename Dialog>
-    void during(const std::function<void()>& begin, const std::function<void(Dialog&)>& act)
-    {
-        bool found = false;
-        QTimer::singleShot(0, &window, [&] {
-            auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
-            found = dialog;
-            if (dialog)
-                act(*dialog);
-            if (dialog && dialog->isVisible())
-                dialog->reject();
-        });
-        begin();
-        QVERIFY(found);
-    }
-
     // An operation on what is selected, with its numbers typed.
     void operate(const char* id, const std::map<QString, QString>& numbers = {})
     {

@@ -14,9 +14,13 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QMouseEvent>
+#include <QTimer>
+#include <QtTest>
 
 #include <algorithm>
+#include <functional>
 
 namespace ripstop {
 
@@ -78,6 +82,29 @@ struct WindowShop
         QWheelEvent event(place, viewport.mapToGlobal(place), {}, {0, 120 * notches},
                           Qt::LeftButton, keys, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&viewport, &event);
+    }
+
+    // Begins what opens a dialog with a loop of its own, and does this in it; what is left open is
+    // dismissed.
+    template <typename Dialog>
+    void during(const std::function<void()>& begin, const std::function<void(Dialog&)>& act)
+    {
+        bool found = false;
+        QTimer::singleShot(0, &window, [&] {
+            auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+            found = dialog;
+            if (dialog)
+                act(*dialog);
+            if (dialog && dialog->isVisible())
+                dialog->reject();
+        });
+        begin();
+        QVERIFY(found);
+    }
+    template <typename Dialog>
+    void during(const char* id, const std::function<void(Dialog&)>& act)
+    {
+        during<Dialog>([&] { run(id); }, act);
     }
 };
 
