@@ -152,15 +152,20 @@ struct Rows
 };
 
 // About as many panels as the ideal sail has, of rows that all reach the axis instead of every
-// second one. Where the length of the keel is said, a row lies at its front, and those ahead of it
-// and behind are evenly spaced each.
-Rows realRows(const Parameters& p)
+// second one.
+Rows evenlyCut(const Parameters& p)
 {
     const double perRow = 1.0 / std::numbers::sqrt2;
     const int rows = int(std::round(perRow * p.at("segments")));
+    return {evenRows(rows), std::min(int(std::round(2.0 * perRow * p.at("keel"))), rows)};
+}
+
+// As many panels again, in strips as many as rows. A row lies at the front of the keel, and those
+// ahead of it and behind are evenly spaced each.
+Rows cutAtKeel(const Parameters& p)
+{
     const double length = p.at("keel_length");
-    if (length == 0.0)
-        return {evenRows(rows), std::min(int(std::round(2.0 * perRow * p.at("keel"))), rows)};
+    const int rows = int(std::round(0.5 * p.at("segments")));
     const int keel = std::clamp(int(std::round(length * rows)), 1, rows - 1);
     const int ahead = rows - keel;
     Rows cut{{}, keel};
@@ -171,15 +176,32 @@ Rows realRows(const Parameters& p)
     return cut;
 }
 
-// A real sail is sewn along the keel, and a spar goes there from the nose to the tail.
-SailFrame addRealSail(Network& network, const DeltaShape& shape, const Rows& rows,
-                      const Materials& materials)
+struct Sail
 {
-    const SailFrame frame = addHalves(network, shape, rows.at, materials.sail);
-    const int keel = rows.keel;
-    for (std::size_t row = 0; row + 1 + std::size_t(keel) < frame.axis.size(); ++row)
+    SailFrame frame;
+    int keel; // segments of the keel, up to the tail
+};
+
+// A real sail is sewn along the keel, and a spar goes there from the nose to the tail.
+Sail addRealSail(Network& network, const Parameters& p, const DeltaShape& shape,
+                 const Materials& materials)
+{
+    const bool isRadial = p.at("keel_length") > 0.0;
+    const Rows rows = isRadial ? cutAtKeel(p) : evenlyCut(p);
+    const SailFrame frame = isRadial ? addRadialHalves(network, shape, rows.at, materials.sail)
+                                     : addHalves(network, shape, rows.at, materials.sail);
+    for (std::size_t row = 0; row + 1 + std::size_t(rows.keel) < frame.axis.size(); ++row)
         network.rod(frame.axis[row], frame.axis[row + 1], materials.spar);
-    return frame;
+    return {frame, rows.keel};
+}
+
+Sail addSail(Network& network, const Parameters& p, const DeltaShape& shape,
+             const Materials& materials)
+{
+    if (!isIdeal(p, "cloth"))
+        return addRealSail(network, p, shape, materials);
+    const Lattice lattice = addSail(network, shape, int(p.at("segments")), materials.sail);
+    return {SailFrame::of(lattice), int(p.at("keel"))};
 }
 
 // Nodes of the frame share its mass, the ring that the line is tied to among them; spars of a kite
@@ -223,12 +245,8 @@ Result<Kite> addKite(Scene& scene, Network& network, const Parameters& p,
                            p.at("billow"),
                            p.at("washout") * degrees,
                            p.at("reflex")};
-    const bool isReal = !isIdeal(p, "cloth");
-    const Rows rows = isReal ? realRows(p) : Rows{{}, int(p.at("keel"))};
-    const SailFrame frame =
-        isReal ? addRealSail(network, shape, rows, materials)
-               : SailFrame::of(addSail(network, shape, int(p.at("segments")), materials.sail));
-    const Id tow = addKeel(network, p, rows.keel, frame.axis, materials);
+    const auto [frame, keelSegments] = addSail(network, p, shape, materials);
+    const Id tow = addKeel(network, p, keelSegments, frame.axis, materials);
     network.addFabricMass(clothDensity(p));
     const Result<std::vector<Id>> patches = addPatches(p, pulledAt(frame, tow), scene, network);
     if (!patches)

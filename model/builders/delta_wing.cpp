@@ -103,6 +103,77 @@ SailFrame addHalves(Network& network, const DeltaShape& shape, const std::vector
     return frame;
 }
 
+namespace {
+
+// With the billow at which `strips` chords across a half are as long as the arch of the shape: of a
+// parabola they are by the share 1 / strips^2 of its excess over the width shorter.
+DeltaShape cutForStrips(DeltaShape shape, int strips)
+{
+    if (strips > 1)
+        shape.billow /= std::sqrt(1.0 - 1.0 / (double(strips) * strips));
+    return shape;
+}
+
+// Nodes of a half by row and strip, from the axis out; all of row 0 are the nose.
+using HalfNodes = std::vector<std::vector<Id>>;
+
+HalfNodes addHalfNodes(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
+                       const std::vector<Id>& axis, double side)
+{
+    const std::size_t strips = rows.size() - 1;
+    HalfNodes nodes{std::vector<Id>(strips + 1, axis.front())};
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+        nodes.push_back({axis[row]});
+        for (std::size_t strip = 1; strip <= strips; ++strip)
+            nodes.back().push_back(
+                addNode(network, shape, rows[row], side * double(strip) / double(strips)));
+    }
+    return nodes;
+}
+
+void sewHalf(Network& network, const HalfNodes& nodes, double side, const SailMaterials& materials)
+{
+    const std::size_t strips = nodes.size() - 1;
+    const auto panel = [&](Id a, Id b, Id c, Id material) {
+        network.panel(a, side < 0.0 ? c : b, side < 0.0 ? b : c, material);
+    };
+    for (std::size_t row = 1; row < nodes.size(); ++row) {
+        const std::vector<Id>& fore = nodes[row - 1];
+        const std::vector<Id>& aft = nodes[row];
+        for (std::size_t strip = 1; strip <= strips; ++strip) {
+            const bool atEdge = strip == strips;
+            const Id cloth = atEdge ? materials.border : materials.sail;
+            network.rod(fore[strip], aft[strip], atEdge ? materials.edges : materials.seams);
+            network.rod(aft[strip - 1], aft[strip],
+                        row == nodes.size() - 1 ? materials.hem : materials.seams);
+            panel(fore[strip], aft[strip - 1], aft[strip], cloth);
+            if (row == 1)
+                continue;
+            network.rod(fore[strip], aft[strip - 1], materials.seams);
+            panel(fore[strip], fore[strip - 1], aft[strip - 1], cloth);
+        }
+    }
+}
+
+} // namespace
+
+SailFrame addRadialHalves(Network& network, const DeltaShape& shape,
+                          const std::vector<double>& rows, const SailMaterials& materials)
+{
+    const DeltaShape cut = cutForStrips(shape, int(rows.size()) - 1);
+    SailFrame frame;
+    for (const double row : rows)
+        frame.axis.push_back(addNode(network, cut, row, 0.0));
+    frame.leadingEdges.push_back(frame.axis.front());
+    for (const double side : {-1.0, 1.0}) {
+        const HalfNodes nodes = addHalfNodes(network, cut, rows, frame.axis, side);
+        sewHalf(network, nodes, side, materials);
+        for (std::size_t row = 1; row < nodes.size(); ++row)
+            frame.leadingEdges.push_back(nodes[row].back());
+    }
+    return frame;
+}
+
 std::vector<Id> addStiffeners(Network& network, const DeltaShape& shape, const SailFrame& frame,
                               Id material)
 {

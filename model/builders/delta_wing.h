@@ -52,6 +52,13 @@ std::vector<double> evenRows(int segments);
 SailFrame addHalves(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
                     const SailMaterials& materials);
 
+// The sail of two halves whose strips all begin in the nose, as many to a half as there are rows of
+// panels. Sails billow as cones about the nose, and bend along the edges of their panels only: here
+// these lie along the rulings of the cones, so that coarse meshes billow as fine ones do. Across,
+// the cloth is cut as long as the arch of the shape, not as the chords that panels make of it.
+SailFrame addRadialHalves(Network& network, const DeltaShape& shape,
+                          const std::vector<double>& rows, const SailMaterials& materials);
+
 // Two particles above and below the sail, tied to leading edges and axis. They stand at a steep
 // angle to the sail, so that no node can give way.
 std::vector<Id> addStiffeners(Network& network, const DeltaShape& shape, const SailFrame& frame,
