@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ripstop {
 namespace {
@@ -147,25 +146,19 @@ Id addKeel(Network& network, const Parameters& p, int segments, const std::vecto
 // How a real sail is cut into rows of panels, and how many of them the keel has.
 struct Rows
 {
-    std::vector<double> at; // as addHalves() has them
+    std::vector<double> at; // as addRadialHalves() has them
     int keel;
 };
 
-// About as many panels as the ideal sail has, of rows that all reach the axis instead of every
-// second one.
-Rows evenlyCut(const Parameters& p)
+// Half as many as the ideal sail has, in as many strips: about as many panels. Where the length of
+// the keel is said, a row lies at its front, and those ahead of it and behind are evenly spaced
+// each.
+Rows realRows(const Parameters& p)
 {
-    const double perRow = 1.0 / std::numbers::sqrt2;
-    const int rows = int(std::round(perRow * p.at("segments")));
-    return {evenRows(rows), std::min(int(std::round(2.0 * perRow * p.at("keel"))), rows)};
-}
-
-// As many panels again, in strips as many as rows. A row lies at the front of the keel, and those
-// ahead of it and behind are evenly spaced each.
-Rows cutAtKeel(const Parameters& p)
-{
-    const double length = p.at("keel_length");
     const int rows = int(std::round(0.5 * p.at("segments")));
+    const double length = p.at("keel_length");
+    if (length == 0.0)
+        return {evenRows(rows), std::min(int(p.at("keel")), rows)};
     const int keel = std::clamp(int(std::round(length * rows)), 1, rows - 1);
     const int ahead = rows - keel;
     Rows cut{{}, keel};
@@ -186,10 +179,8 @@ struct Sail
 Sail addRealSail(Network& network, const Parameters& p, const DeltaShape& shape,
                  const Materials& materials)
 {
-    const bool isRadial = p.at("keel_length") > 0.0;
-    const Rows rows = isRadial ? cutAtKeel(p) : evenlyCut(p);
-    const SailFrame frame = isRadial ? addRadialHalves(network, shape, rows.at, materials.sail)
-                                     : addHalves(network, shape, rows.at, materials.sail);
+    const Rows rows = realRows(p);
+    const SailFrame frame = addRadialHalves(network, shape, rows.at, materials.sail);
     for (std::size_t row = 0; row + 1 + std::size_t(rows.keel) < frame.axis.size(); ++row)
         network.rod(frame.axis[row], frame.axis[row + 1], materials.spar);
     return {frame, rows.keel};

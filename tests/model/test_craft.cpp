@@ -146,8 +146,8 @@ private slots:
         QVERIFY(most > 1.3 * least);
     }
 
-    // The pocket is taken to bear 0.075 of the cloth: 5330 N/m of 0.5 oz, 8000 N/m of 0.75 oz. The
-    // scene says when its last gust comes and that the line pulls with 1.2 kN then. Given the
+    // The pocket is taken to bear 0.06 of the cloth: 5330 N/m of 0.5 oz, 8000 N/m of 0.75 oz. The
+    // scene says when its last gust comes and that the line pulls with 1.1 kN then. Given the
     // heavier cloth as a person gives it, the same kite holds.
     void lastGustTearsThePocket_data()
     {
@@ -159,7 +159,7 @@ private slots:
     void lastGustTearsThePocket()
     {
         QFETCH(bool, isHeavier);
-        constexpr double share = 0.066; // 1, that the pocket keeps
+        constexpr double share = 0.06; // 1, that the pocket keeps
         Scene scene = sample("last_gust");
         const auto idOf = [&](std::string_view name) {
             return std::ranges::find_if(
@@ -198,7 +198,7 @@ private slots:
               probe(simulation, "line tension"));
         QVERIFY(tear.force > bears && tear.force < 1.02 * bears);
         QVERIFY(std::abs(tear.time - 15.3) < 0.1);
-        QVERIFY(std::abs(probe(simulation, "line tension") - 1200.0) < 60.0);
+        QVERIFY(std::abs(probe(simulation, "line tension") - 1100.0) < 55.0);
 
         // no farther from the leading edge than a panel is wide
         const Part& part = partOf(scene);
