@@ -31,9 +31,10 @@ Scene kite(const Parameters& given, const char* builder = "delta_kite")
     return *scene;
 }
 
+// What who makes a new kite gets.
 Parameters real(double segments = 14)
 {
-    return {{"cloth", 2}, {"spars", 1}, {"cord", 3}, {"segments", segments}, {"keel_length", 0.7}};
+    return newDesign(*findBuilder("delta_kite"), {{"segments", segments}});
 }
 
 double number(const char* preset, std::string_view key)
@@ -273,6 +274,44 @@ private slots:
         QVERIFY(isAlike(flown(28, 4)));
         QVERIFY(isAlike(flown(14, 1)));
         QVERIFY(isAlike(flown(8, 1)));
+    }
+
+    // Pushed aside, it comes back to where the wind blows: in a minute and a half what is left of
+    // its sway has halved, at least.
+    void comesBackFromASway_data()
+    {
+        QTest::addColumn<double>("wind");
+        for (const double wind : {4.0, 6.0, 10.0})
+            QTest::newRow(qPrintable(QString("%1 m/s").arg(wind))) << wind;
+    }
+
+    void comesBackFromASway()
+    {
+        QFETCH(double, wind);
+        Parameters given = real();
+        given["wind"] = wind;
+        const auto compiled = compile(kite(given));
+        Simulation settling(*compiled);
+        QVERIFY(settling.runUntil(6.0));
+        System pushed = **compiled;
+        pushed.start = settling.state();
+        pushed.start.time = 0.0;
+        for (std::size_t i = 0; i < pushed.start.velocity.size(); ++i)
+            if (pushed.inverseMass[i] > 0.0)
+                pushed.start.velocity[i].z() += 1.0; // m/s
+        Simulation simulation(std::make_shared<const System>(pushed));
+        const auto largestSway = [&](double from, double until) {
+            double largest = 0.0;
+            for (double time = from; time < until; time += 0.1) {
+                if (!simulation.runUntil(time))
+                    qFatal("it did not fly");
+                largest = std::max(largest, std::abs(simulation.state().position[0].z()));
+            }
+            return largest;
+        };
+        const double early = largestSway(10.0, 30.0), late = largestSway(100.0, 120.0);
+        qInfo("it sways by %.3f and %.3f m", early, late);
+        QVERIFY(late < 0.5 * early);
     }
 
     void everyClothFlies_data()
