@@ -143,29 +143,28 @@ Id addKeel(Network& network, const Parameters& p, int segments, const std::vecto
     return keel.at(0, 0);
 }
 
-// How a real sail is cut into rows of panels, and how many of them the keel has.
-struct Rows
+struct RealCut
 {
-    std::vector<double> at; // as addRadialHalves() has them
-    int keel;
+    SailCut sail;
+    int keel; // rows along the keel, up to the tail
 };
 
-// Half as many as the ideal sail has, in as many strips: about as many panels. Where the length of
-// the keel is said, a row lies at its front, and those ahead of it and behind are evenly spaced
-// each.
-Rows realRows(const Parameters& p)
+// Half as many rows as the ideal sail has, and as many strips: about as many panels. Where the
+// length of the keel is said, a row lies at its front, and those ahead of it and behind are evenly
+// spaced each.
+RealCut realCut(const Parameters& p)
 {
     const int rows = int(std::round(0.5 * p.at("segments")));
     const double length = p.at("keel_length");
     if (length == 0.0)
-        return {evenRows(rows), std::min(int(p.at("keel")), rows)};
+        return {{evenRows(rows), rows}, std::min(int(p.at("keel")), rows)};
     const int keel = std::clamp(int(std::round(length * rows)), 1, rows - 1);
     const int ahead = rows - keel;
-    Rows cut{{}, keel};
+    RealCut cut{{{}, rows}, keel};
     for (int row = 0; row <= ahead; ++row)
-        cut.at.push_back((1.0 - length) * row / ahead);
+        cut.sail.rows.push_back((1.0 - length) * row / ahead);
     for (int row = 1; row <= keel; ++row)
-        cut.at.push_back(1.0 - length * (keel - row) / keel);
+        cut.sail.rows.push_back(1.0 - length * (keel - row) / keel);
     return cut;
 }
 
@@ -179,11 +178,11 @@ struct Sail
 Sail addRealSail(Network& network, const Parameters& p, const DeltaShape& shape,
                  const Materials& materials)
 {
-    const Rows rows = realRows(p);
-    const SailFrame frame = addRadialHalves(network, shape, rows.at, materials.sail);
-    for (std::size_t row = 0; row + 1 + std::size_t(rows.keel) < frame.axis.size(); ++row)
+    const RealCut cut = realCut(p);
+    const SailFrame frame = addHalves(network, shape, cut.sail, materials.sail);
+    for (std::size_t row = 0; row + 1 + std::size_t(cut.keel) < frame.axis.size(); ++row)
         network.rod(frame.axis[row], frame.axis[row + 1], materials.spar);
-    return {frame, rows.keel};
+    return {frame, cut.keel};
 }
 
 Sail addSail(Network& network, const Parameters& p, const DeltaShape& shape,

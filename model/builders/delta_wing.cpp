@@ -1,5 +1,5 @@
-// Where a point of the sail is; then the sail, as one lattice or as a half lattice on either side
-// of the keel, row by row from the nose; and the struts above and below that keep a frame stiff.
+// Where a point of the sail is; then the sail, as one lattice or as strips from the nose on either
+// side of the keel, row by row; and the struts above and below that keep a frame stiff.
 #include "builders/delta_wing.h"
 
 #include <cmath>
@@ -69,40 +69,6 @@ std::vector<double> evenRows(int segments)
     return rows;
 }
 
-SailFrame addHalves(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
-                    const SailMaterials& materials)
-{
-    const int segments = int(rows.size()) - 1;
-    SailFrame frame;
-    for (const double row : rows)
-        frame.axis.push_back(addNode(network, shape, row, 0.0));
-    for (const bool left : {true, false}) {
-        const auto onAxis = [&](int row, int column) { return column == (left ? row : 0); };
-        const Lattice half(segments, [&](int row, int column) {
-            const double u = row == 0 ? 0.0 : double(column) / row - (left ? 1.0 : 0.0);
-            return onAxis(row, column) ? frame.axis[std::size_t(row)]
-                                       : addNode(network, shape, rows[std::size_t(row)], u);
-        });
-        for (const Lattice::Edge& edge : half.edges()) {
-            const bool inner =
-                edge.sort == (left ? Lattice::Edge::Sort::Right : Lattice::Edge::Sort::Left);
-            if (edge.onSide && inner)
-                continue;
-            network.rod(edge.from, edge.to,
-                        edge.onSide              ? materials.edges
-                        : isTrailing(edge, half) ? materials.hem
-                                                 : materials.seams);
-        }
-        for (const Lattice::Cell& cell : half.cells()) {
-            const bool atEdge = cell.column == (left ? 0 : 2 * cell.row);
-            network.panel(cell.a, cell.b, cell.c, atEdge ? materials.border : materials.sail);
-        }
-        for (int row = left ? 0 : 1; row <= segments; ++row)
-            frame.leadingEdges.push_back(half.at(row, left ? 0 : row));
-    }
-    return frame;
-}
-
 namespace {
 
 // With the billow at which `strips` chords across a half are as long as the arch of the shape: of a
@@ -117,23 +83,22 @@ DeltaShape cutForStrips(DeltaShape shape, int strips)
 // Nodes of a half by row and strip, from the axis out; all of row 0 are the nose.
 using HalfNodes = std::vector<std::vector<Id>>;
 
-HalfNodes addHalfNodes(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
+HalfNodes addHalfNodes(Network& network, const DeltaShape& shape, const SailCut& cut,
                        const std::vector<Id>& axis, double side)
 {
-    const std::size_t strips = rows.size() - 1;
-    HalfNodes nodes{std::vector<Id>(strips + 1, axis.front())};
-    for (std::size_t row = 1; row < rows.size(); ++row) {
+    HalfNodes nodes{std::vector<Id>(std::size_t(cut.strips) + 1, axis.front())};
+    for (std::size_t row = 1; row < cut.rows.size(); ++row) {
         nodes.push_back({axis[row]});
-        for (std::size_t strip = 1; strip <= strips; ++strip)
+        for (int strip = 1; strip <= cut.strips; ++strip)
             nodes.back().push_back(
-                addNode(network, shape, rows[row], side * double(strip) / double(strips)));
+                addNode(network, shape, cut.rows[row], side * strip / cut.strips));
     }
     return nodes;
 }
 
 void sewHalf(Network& network, const HalfNodes& nodes, double side, const SailMaterials& materials)
 {
-    const std::size_t strips = nodes.size() - 1;
+    const std::size_t strips = nodes.front().size() - 1;
     const auto panel = [&](Id a, Id b, Id c, Id material) {
         network.panel(a, side < 0.0 ? c : b, side < 0.0 ? b : c, material);
     };
@@ -157,16 +122,16 @@ void sewHalf(Network& network, const HalfNodes& nodes, double side, const SailMa
 
 } // namespace
 
-SailFrame addRadialHalves(Network& network, const DeltaShape& shape,
-                          const std::vector<double>& rows, const SailMaterials& materials)
+SailFrame addHalves(Network& network, const DeltaShape& shape, const SailCut& cut,
+                    const SailMaterials& materials)
 {
-    const DeltaShape cut = cutForStrips(shape, int(rows.size()) - 1);
+    const DeltaShape arched = cutForStrips(shape, cut.strips);
     SailFrame frame;
-    for (const double row : rows)
-        frame.axis.push_back(addNode(network, cut, row, 0.0));
+    for (const double row : cut.rows)
+        frame.axis.push_back(addNode(network, arched, row, 0.0));
     frame.leadingEdges.push_back(frame.axis.front());
     for (const double side : {-1.0, 1.0}) {
-        const HalfNodes nodes = addHalfNodes(network, cut, rows, frame.axis, side);
+        const HalfNodes nodes = addHalfNodes(network, arched, cut, frame.axis, side);
         sewHalf(network, nodes, side, materials);
         for (std::size_t row = 1; row < nodes.size(); ++row)
             frame.leadingEdges.push_back(nodes[row].back());

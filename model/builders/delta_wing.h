@@ -45,19 +45,22 @@ struct SailFrame
 // Where the rows of nodes of a sail lie along its keel, from 0 at the nose to 1, at equal steps.
 std::vector<double> evenRows(int segments);
 
-// The sail of two halves that are sewn together along the keel, each a lattice from there to its
-// leading edge, with a row of nodes at each of `rows`. So all rows have a node in the fold of the
-// dihedral: where only every second one has, rods and panels cut across the fold, and the wing is
-// another one for each mesh. There are no rods along the seam, where the caller lays the keel.
-SailFrame addHalves(Network& network, const DeltaShape& shape, const std::vector<double>& rows,
-                    const SailMaterials& materials);
+// How each half of a sail is cut.
+struct SailCut
+{
+    std::vector<double> rows; // of nodes, where they lie along the keel, from 0 at the nose to 1
+    int strips;
+};
 
-// The sail of two halves whose strips all begin in the nose, as many to a half as there are rows of
-// panels. Sails billow as cones about the nose, and bend along the edges of their panels only: here
-// these lie along the rulings of the cones, so that coarse meshes billow as fine ones do. Across,
-// the cloth is cut as long as the arch of the shape, not as the chords that panels make of it.
-SailFrame addRadialHalves(Network& network, const DeltaShape& shape,
-                          const std::vector<double>& rows, const SailMaterials& materials);
+// The sail of two halves that are sewn together along the keel, of strips that all begin in the
+// nose. Sails billow as cones about the nose, and a mesh bends along the edges of its panels only:
+// here these lie along the rulings of the cones, so that coarse meshes billow as fine ones do.
+// Across, the cloth is cut as long as the arch of the shape, not as the chords that panels make of
+// it. All rows have a node in the fold of the dihedral: where only every second one has, rods and
+// panels cut across the fold, and the wing is another one for each mesh. There are no rods along
+// the seam, where the caller lays the keel.
+SailFrame addHalves(Network& network, const DeltaShape& shape, const SailCut& cut,
+                    const SailMaterials& materials);
 
 // Two particles above and below the sail, tied to leading edges and axis. They stand at a steep
 // angle to the sail, so that no node can give way.

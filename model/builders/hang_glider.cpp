@@ -136,16 +136,16 @@ Wing addIdealSail(Network& network, const DeltaShape& shape, int segments,
     return wing;
 }
 
-// About as many panels as the ideal sail has, of rows that all reach the keel instead of every
-// second one: three, or a multiple of it, so that the cross tube meets the leading edges at two
-// thirds of them in each mesh. The cloth is cut as the wing is shaped.
+// Some more panels than the ideal sail has, in rows that are three, or a multiple of it, so that
+// the cross tube meets the leading edges at two thirds of them in each mesh. The cloth is cut as
+// the wing is shaped.
 Wing addRealSail(Network& network, const DeltaShape& shape, const Parameters& p,
                  const Materials& materials)
 {
-    const int rows =
-        3 * std::max(1, int(std::round(p.at("segments") / (3.0 * std::numbers::sqrt2))));
+    const int thirds = std::max(1, int(std::round(p.at("segments") / (3.0 * std::numbers::sqrt2))));
+    const int rows = 3 * thirds;
     Wing wing{};
-    wing.frame = addHalves(network, shape, evenRows(rows), materials.sail);
+    wing.frame = addHalves(network, shape, {evenRows(rows), 2 * thirds}, materials.sail);
     const std::vector<Id>& axis = wing.frame.axis;
     for (std::size_t row = 1; row < axis.size(); ++row)
         network.rod(axis[row - 1], axis[row], materials.sail.edges);

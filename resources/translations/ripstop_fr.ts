@@ -15058,8 +15058,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>The glider of what one can buy: Dacron of 210 g/m2 on aluminium tubes of 50 mm. The keys shift the pilot. Tune the flexural rigidity of the tube, 500 to 6000 N m2: soft leading edges give way outside of the cross tube, the sail billows, and it sinks faster.</source>
-        <translation>Le deltaplane de ce qui s’achète : Dacron de 210 g/m2 sur des tubes d’aluminium de 50 mm. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 6000 N m2 : des bords d’attaque souples cèdent au-delà de la transversale, la voile se gonfle, et il descend plus vite.</translation>
+        <source>The glider of what one can buy: Dacron of 210 g/m2 on aluminium tubes of 50 mm. The keys shift the pilot. Tune the flexural rigidity of the tube, 500 to 6000 N m2: soft leading edges give way outside of the cross tube, the sail billows, and it glides less far.</source>
+        <translation>Le deltaplane de ce qui s’achète : Dacron de 210 g/m2 sur des tubes d’aluminium de 50 mm. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 6000 N m2 : des bords d’attaque souples cèdent au-delà de la transversale, la voile se gonfle, et il plane moins loin.</translation>
     </message>
     <message>
         <location filename="tables"/>
