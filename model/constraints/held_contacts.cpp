@@ -233,7 +233,8 @@ double HeldContacts::energyAt(std::span<const Row> position) const
 bool HeldContacts::isSettled(double accuracy, int iteration) const
 {
     constexpr int enoughForFriction = 16;
-    double off = 0.0, all = 0.0; // kg^2 m^2
+    constexpr double coarser = 10.0; // no friction is known as well as pulls are asked for
+    double off = 0.0, all = 0.0;     // kg^2 m^2
     for (const HeldContact& contact : m_contacts) {
         if (contact.miss() > nearEnough)
             return false;
@@ -241,13 +242,13 @@ bool HeldContacts::isSettled(double accuracy, int iteration) const
             continue;
         const double may = contact.share * contact.friction * std::max(contact.multiplier, 0.0);
         const double rub = contact.rub.norm();
-        all += contact.multiplier * contact.multiplier;
+        all += may * may;
         const double wrong = contact.sticks ? std::max(rub - may, 0.0)
                              : contact.slip.dot(contact.against) < -turnsBack ? rub
                                                                               : std::abs(rub - may);
         off += wrong * wrong;
     }
-    return off <= accuracy * accuracy * all;
+    return off <= coarser * coarser * accuracy * accuracy * all;
 }
 
 bool HeldContacts::hasImpact() const

@@ -17,7 +17,7 @@
 // u were held by the same s, until that takes more than friction times the normal force; then it
 // slides against so much. The normal force in this bound is that of the iteration before (lagged,
 // as Li et al. 2020, Incremental Potential Contact, do it), so the matrix stays symmetric, and
-// iterations go on until it changes no more.
+// iterations go on until it hardly changes.
 //
 // Where planes are is asked of the surface again after each iteration, as are particles that came
 // into a surface with it: particles follow what is round.
@@ -124,7 +124,8 @@ public:
     double energyAt(std::span<const Row> position) const; // that, of normal pushes alone
 
     // After measure(): whether all contacts are where the linear system put them, and friction is
-    // what the normal forces allow; after a few iterations that is left as it is.
+    // what the normal forces allow within ten times `accuracy`; after a few iterations that is left
+    // as it is.
     bool isSettled(double accuracy, int iteration) const;
 
     // Whether a particle came in at a speed.
