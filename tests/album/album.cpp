@@ -1,14 +1,17 @@
 // Pictures of everything that the window can show, to be looked at.
 //
-//     xvfb-run build/release/bin/ripstop-album FOLDER [--size WxH] [--theme NAME] [--only PART]
-//     xvfb-run build/release/bin/ripstop-album FOLDER --studies [--size WxH] [--theme NAME]
+//     xvfb-run build/release/bin/ripstop-album FOLDER [--size WxH] [--theme NAME] [--language CODE]
+//                                                 [--only PART]
+//     xvfb-run build/release/bin/ripstop-album FOLDER --studies [as above]
 //     xvfb-run build/release/bin/ripstop-album FOLDER --manual
 //
 // Leaves FOLDER/THEME-WxH/*.png for each size and theme (1280x800 and 1920x1080, light and dark,
-// unless some are named), and says where a text is cut off or a window does not fit.
+// unless some are named), in English unless a language is, and says where a text is cut off or a
+// window does not fit.
 #include "album/manual.h"
 #include "album/moments.h"
 #include "album/picture.h"
+#include "language/language.h"
 #include "theme/theme_choice.h"
 
 #include <QCommandLineParser>
@@ -94,13 +97,16 @@ int main(int argc, char** argv)
     parser.addPositionalArgument("FOLDER", "Where the pictures go.");
     const QCommandLineOption size("size", "1280x800 and 1920x1080 unless named.", "WxH");
     const QCommandLineOption theme("theme", "light and dark unless named.", "NAME");
+    const QCommandLineOption language("language", "English unless named.", "CODE", "en");
     const QCommandLineOption only("only", "What has this in its name.", "PART");
     const QCommandLineOption manual("manual", "The pictures of the manual instead.");
     const QCommandLineOption studies("studies", "The panel of studies alone.");
-    parser.addOptions({size, theme, only, manual, studies});
+    parser.addOptions({size, theme, language, only, manual, studies});
     parser.process(application);
-    if (parser.positionalArguments().size() != 1)
+    const auto spoken = languageFromCode(parser.value(language));
+    if (parser.positionalArguments().size() != 1 || !spoken)
         parser.showHelp(2);
+    const Translation translation(*spoken);
     if (parser.isSet(manual)) {
         applyThemeChoice(application, ThemeChoice::Light);
         takeManualPictures(parser.positionalArguments().first());

@@ -16,6 +16,7 @@
 #include "materials/presets.h"
 #include "scene/property.h"
 #include "select/select.h"
+#include "study/narrow_box.h"
 #include "study/study_panel.h"
 #include "study/study_view.h"
 #include "views/small_scenes.h"
@@ -30,6 +31,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSlider>
+#include <QStyleOptionComboBox>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -131,9 +133,7 @@ void inspector(WindowShop& shop, WindowWalk& walk)
 void tuned(WindowShop& shop, WindowWalk& walk)
 {
     shop.window.docks().show("tuning");
-    for (QPushButton* button : shop.window.findChildren<QPushButton*>())
-        if (button->isVisible() && button->text().contains("usual"))
-            button->click();
+    shop.window.docks().panel<TuningPanel>().addUsual();
     QTest::qWait(1);
     walk.window("sliders");
     const Id part = selectionsOf(shop.document.scene())[1].front();
@@ -311,6 +311,19 @@ bool isCutOff(const QWidget& widget, int needed)
     return widget.isVisible() && needed > widget.width() + 1;
 }
 
+// What is chosen can be read whole, unless the box itself shortens it and tells the rest.
+bool isCutOff(const QComboBox& box)
+{
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    option.editable = box.isEditable();
+    const QRect room = box.style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                   QStyle::SC_ComboBoxEditField, &box);
+    const int icon = box.itemIcon(box.currentIndex()).isNull() ? 0 : box.iconSize().width() + 4;
+    return !qobject_cast<const NarrowBox*>(&box) && !box.isEditable()
+           && box.fontMetrics().horizontalAdvance(box.currentText()) + icon > room.width();
+}
+
 QString wordsOn(const QWidget& widget)
 {
     if (const auto* label = qobject_cast<const QLabel*>(&widget))
@@ -417,6 +430,8 @@ QStringList faultsOf(const QWidget& window)
         if (label && label->wordWrap()
             && label->heightForWidth(label->width()) > label->height() + 1)
             faults << QString("\"%1\" is cut off below").arg(wordsOn(*widget));
+        if (const auto* box = qobject_cast<const QComboBox*>(widget); box && isCutOff(*box))
+            faults << QString("the choice \"%1\" is cut off").arg(box->currentText());
         const bool isQts = qobject_cast<const QFileDialog*>(&window);
         if (!isQts && takesInput(*widget) && !isNamed(*widget, window))
             faults << QString("the input %1 %2 in %3 has no name")
