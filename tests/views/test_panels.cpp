@@ -260,7 +260,7 @@ private slots:
     {
         Bench bench(fallingPair());
         ProblemList problems(bench.document, bench.selection, bench.player);
-        problems.resize(900, 200);
+        problems.resize(700, 200); // as in a window of 1280 pixels
         problems.show();
         bench.document.push(setValue(bench.document.scene(), Id{4}, "restLength", 0.8));
         auto* list = problems.findChild<QTreeWidget*>();
@@ -271,6 +271,18 @@ private slots:
         QTRY_VERIFY(poor() && poor()->isEnabled());
         const QTreeWidgetItem* row = list->topLevelItem(0);
         QVERIFY(row->text(1).contains("25 %")); // 1 m at the start, 0.8 m at rest
+
+        // the sentence has its room, and the button stands below it
+        QTest::qWait(50); // they are laid out
+        const QRect place = list->visualItemRect(row);
+        const int words = list->fontMetrics()
+                              .boundingRect(QRect(0, 0, list->columnWidth(1) - 12, 10000),
+                                            Qt::TextWordWrap, row->text(1))
+                              .height();
+        const int top = poor()->mapTo(list->viewport(), QPoint(0, 0)).y();
+        QVERIFY2(list->columnWidth(1) >= 200, qPrintable(QString::number(list->columnWidth(1))));
+        QVERIFY(top >= place.top() + words);
+        QVERIFY(poor()->width() >= poor()->sizeHint().width());
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(row).center());
         QCOMPARE(bench.selection.ids(), std::vector{Id{4}});
         QTest::mouseClick(poor(), Qt::LeftButton);

@@ -1,5 +1,5 @@
-// showFindings() makes a row of each finding: sign, sentence, and a button where there is a repair.
-// fitRows() gives rows the height of their sentences, again whenever the width changes. outdate()
+// showFindings() makes a row of each finding: sign, sentence, and a button below it where there is
+// a repair. fitRows() gives rows the height of both, again whenever the width changes. outdate()
 // disables the buttons after an edit; repair() pushes a copy of the edit, as the list is made anew
 // by that.
 #include "problems/stability_list.h"
@@ -10,18 +10,45 @@
 #include "document/words.h"
 #include "icons/tinted.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace ripstop {
 namespace {
 
-enum Column { Subject, Told, Repair };
+enum Column { Subject, Told };
 
 constexpr int padding = 6; // px
+
+// Signs and words begin at the top of a row, as buttons stand at the bottom.
+class TopDelegate final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+private:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->displayAlignment = Qt::AlignLeft | Qt::AlignTop;
+        option->decorationAlignment = Qt::AlignHCenter | Qt::AlignTop;
+    }
+};
+
+// Stands below the sentence, which would have no room beside it: the words of a repair are as many.
+QWidget* placed(QPushButton* button)
+{
+    auto* place = new QWidget;
+    auto* inside = new QVBoxLayout(place);
+    inside->setContentsMargins(padding / 2, 0, padding / 2, padding / 2);
+    inside->addStretch(1);
+    inside->addWidget(button, 0, Qt::AlignLeft);
+    return place;
+}
 
 } // namespace
 
@@ -30,11 +57,12 @@ StabilityList::StabilityList(Document& document, Selection& selection, QWidget* 
     , m_document(document)
     , m_selection(selection)
 {
-    setColumnCount(3);
+    setColumnCount(2);
     setHeaderHidden(true);
     setRootIsDecorated(false);
     setFrameShape(NoFrame);
     setWordWrap(true);
+    setItemDelegate(new TopDelegate(this));
     setSelectionMode(SingleSelection);
     setAccessibleName(tr("Stability"));
     setToolTip(tr("How near the design is to what its solver can follow. Click a row to select "
@@ -42,7 +70,6 @@ StabilityList::StabilityList(Document& document, Selection& selection, QWidget* 
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(Subject, QHeaderView::ResizeToContents);
     header()->setSectionResizeMode(Told, QHeaderView::Stretch);
-    header()->setSectionResizeMode(Repair, QHeaderView::ResizeToContents);
     const auto select = [this](QTreeWidgetItem* item) {
         const Finding& finding = m_findings[std::size_t(indexOfTopLevelItem(item))];
         if (!finding.culprits.empty())
@@ -73,11 +100,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
         auto* button = new QPushButton(inMenu(translated(finding.repair->label)));
         button->setToolTip(tr("Repairs it as one step that can be undone."));
         connect(button, &QPushButton::clicked, this, [this, row] { repair(row); });
-        auto* place = new QWidget; // a row may be higher than its button
-        auto* inside = new QHBoxLayout(place);
-        inside->setContentsMargins(0, 0, 0, 0);
-        inside->addWidget(button);
-        setItemWidget(item, Repair, place);
+        setItemWidget(item, Told, placed(button));
     }
     fitRows();
 }
@@ -108,14 +131,16 @@ void StabilityList::fitRows()
         QTreeWidgetItem* item = topLevelItem(row);
         const QRect words = fontMetrics().boundingRect(
             QRect(0, 0, std::max(width, 1), QWIDGETSIZE_MAX), Qt::TextWordWrap, item->text(Told));
-        item->setSizeHint(Told, QSize(0, words.height() + padding));
+        const QWidget* place = itemWidget(item, Told);
+        const int below = place ? place->sizeHint().height() : 0;
+        item->setSizeHint(Told, QSize(0, words.height() + padding + below));
     }
 }
 
 void StabilityList::outdate()
 {
     for (int row = 0; row < topLevelItemCount(); ++row)
-        if (QWidget* place = itemWidget(topLevelItem(row), Repair))
+        if (QWidget* place = itemWidget(topLevelItem(row), Told))
             place->setEnabled(false);
 }
 
