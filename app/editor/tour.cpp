@@ -19,8 +19,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int bubbleWidth = 360; // px
-constexpr int gap = 12;          // px, between a place and its bubble
+constexpr int leastWidth = 360; // px, of the bubble
+constexpr int gap = 12;         // px, between a place and its bubble
 constexpr QColor shade(0, 0, 0, 120);
 
 } // namespace
@@ -52,7 +52,6 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
     m_bubble->setFrameShape(QFrame::StyledPanel);
     m_bubble->setAutoFillBackground(true);
     m_bubble->setBackgroundRole(QPalette::Base);
-    m_bubble->setFixedWidth(bubbleWidth);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_count);
     buttons->addStretch(1);
@@ -107,7 +106,10 @@ QRect Tour::place() const
 // Puts the bubble beside the place where there is room, and inside it elsewhere.
 void Tour::arrange()
 {
-    m_bubble->setFixedHeight(m_bubble->layout()->totalHeightForWidth(bubbleWidth));
+    QLayout& inside = *m_bubble->layout();
+    inside.activate(); // with the words of this stop
+    const int width = std::max(leastWidth, inside.totalMinimumSize().width()); // languages differ
+    m_bubble->setFixedSize(width, inside.totalHeightForWidth(width));
     const QRect at = place();
     const QSize size = m_bubble->size();
     const QRect room = rect().adjusted(gap, gap, -gap, -gap);

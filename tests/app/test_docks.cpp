@@ -8,6 +8,7 @@
 #include "docks/dock_table.h"
 #include "document/spoken.h"
 #include "editor/tour.h"
+#include "language/language.h"
 #include "plots/plot_panel.h"
 
 #include <QDockWidget>
@@ -175,6 +176,24 @@ private slots:
             if (row.onOpening == OnOpening::ComesForward)
                 QVERIFY2(isInFront(shop.dock(row.id)), row.id);
         QVERIFY(isInFront(shop.dock("tuning")));
+    }
+
+    // Also in the language with the longer words.
+    void tourHasRoomForItsButtons()
+    {
+        const Translation translation(Language::French);
+        WindowShop shop;
+        shop.window.resize(1280, 800);
+        shop.window.show();
+        shop.run("tour");
+        auto* tour = shop.window.findChild<Tour*>();
+        QVERIFY(tour);
+        QTest::qWait(20); // it is laid out
+        const auto buttons = tour->findChildren<QPushButton*>();
+        QCOMPARE(buttons.size(), 3);
+        for (const QPushButton* button : buttons)
+            QVERIFY2(button->width() >= button->minimumSizeHint().width(),
+                     qPrintable(button->text()));
     }
 
     // Between the view and the bar that flies it, and from there to the menus.
