@@ -7,8 +7,11 @@
 // large selection.
 #include "document/document.h"
 #include "document/selection.h"
+#include "document/words.h"
+#include "icons/fold_button.h"
 #include "inspector/inspector.h"
 #include "inspector/scrub_label.h"
+#include "language/language.h"
 #include "scene/edit.h"
 #include "scene/path.h"
 #include "views/inspector_form.h"
@@ -60,6 +63,44 @@ private slots:
                                             .arg(area->viewport()->width())));
                 }
         }
+    }
+
+    // In the longer language, with all that is folded away, and also in a dock that was made
+    // narrow: a choice stands below its label where it has no room beside.
+    void choicesCanBeReadWhole_data()
+    {
+        QTest::addColumn<int>("width"); // px
+        QTest::newRow("as wide as the dock at first") << 320;
+        QTest::newRow("narrow") << 260;
+        QTest::newRow("wide") << 600;
+    }
+    void choicesCanBeReadWhole()
+    {
+        QFETCH(int, width);
+        const Translation translation(Language::French);
+        Form form;
+        form.inspector.resize(width, 700);
+        int below = 0;
+        for (const Id id : oneOfEachKind) {
+            form.selection.set({id});
+            QCoreApplication::processEvents();
+            for (FoldButton* fold : form.inspector.findChildren<FoldButton*>())
+                if (fold->isVisible() && !fold->isOpen())
+                    fold->click();
+            QTest::qWait(10); // they are laid out
+            for (const Property& property : propertiesOf(kindOf(*find(form.document.scene(), id))))
+                if (auto* box = qobject_cast<QComboBox*>(form.inspector.field(property.key));
+                    box && box->isVisible()) {
+                    int longest = 0;
+                    for (int i = 0; i < box->count(); ++i)
+                        longest = std::max(longest,
+                                           box->fontMetrics().horizontalAdvance(box->itemText(i)));
+                    QVERIFY2(box->width() > longest + 24, // px, of the frame and the arrow
+                             qPrintable(labelOf(property)));
+                    below += box->x() < 20;
+                }
+        }
+        QVERIFY(width == 600 ? below == 0 : below > 0);
     }
 
     // A label takes the same room when its value is changed and it stands in bold.

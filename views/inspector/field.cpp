@@ -24,6 +24,8 @@
 namespace ripstop {
 namespace {
 
+constexpr int leastChoice = 80; // px, that narrow docks have room for
+
 QString textOf(const Value& value)
 {
     const std::string* text = std::get_if<std::string>(&value);
@@ -123,8 +125,8 @@ Field choiceField(const FieldPlace& place)
     auto* box = new QComboBox;
     box->setFocusPolicy(Qt::StrongFocus);
     box->setPlaceholderText(mixedText());
-    box->setMinimumContentsLength(5); // narrow docks have room for it
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents); // which says where it fits
+    box->setMinimumWidth(leastChoice);
     const auto choices = place.property.choices;
     for (const std::string_view choice : choices)
         box->addItem(choiceLabel(choice));

@@ -84,13 +84,11 @@ PresetChooser::PresetChooser(Subject& subject, UsageWatch& usage, QWidget* paren
 
     auto* label = new QLabel(tr("Preset"));
     label->setBuddy(m_button);
-    auto* row = new QHBoxLayout;
-    row->addWidget(label);
-    row->addWidget(m_button, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 0);
     layout->setSpacing(3);
-    layout->addLayout(row);
+    layout->addWidget(label);
+    layout->addWidget(m_button); // names of what is for sale take all the width
     layout->addWidget(makeSteps());
     layout->addWidget(m_note);
     layout->addWidget(m_sources);

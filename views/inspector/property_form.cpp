@@ -3,7 +3,9 @@
 // range and effect into the tool tip.
 //
 // filter() notes the words that are searched for; showRows() shows the rows whose label, key or
-// help has all of them, or without any those that do something and are not folded away. refresh()
+// help has all of them, or without any those that do something and are not folded away.
+// placeChoices() puts choices beside their labels or below them, by the room that the labels which
+// are shown leave. refresh()
 // asks the subject once for all things and shows, row by row, the common value, whether it differs
 // from the default, and whether it has an effect.
 #include "inspector/property_form.h"
@@ -62,6 +64,7 @@ QString tipOf(const Property& property)
 }
 
 constexpr int rowButtonWidth = 18; // px
+constexpr int columns = 4;         // label, field and two buttons
 
 // A small button at the end of a row, in a column that keeps its width while it is hidden.
 QToolButton* rowButton(const QString& picture, const QString& tip, const QString& name)
@@ -95,29 +98,29 @@ PropertyForm::PropertyForm(Subject& subject, UsageWatch& usage, SliderShelf& sli
     , m_subject(subject)
     , m_usage(usage)
     , m_sliders(sliders)
+    , m_grid(new QGridLayout(this))
 {
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(8, 4, 4, 8);
-    grid->setHorizontalSpacing(4);
-    grid->setVerticalSpacing(4);
-    grid->setColumnStretch(1, 1);
+    m_grid->setContentsMargins(8, 4, 4, 8);
+    m_grid->setHorizontalSpacing(4);
+    m_grid->setVerticalSpacing(4);
+    m_grid->setColumnStretch(1, 1);
     for (const int column : {2, 3})
-        grid->setColumnMinimumWidth(column, rowButtonWidth);
-    grid->setColumnMinimumWidth(0,
-                                fontMetrics().horizontalAdvance(QStringLiteral("Skin friction")));
+        m_grid->setColumnMinimumWidth(column, rowButtonWidth);
+    m_grid->setColumnMinimumWidth(0,
+                                  fontMetrics().horizontalAdvance(QStringLiteral("Skin friction")));
     for (const Property& property : propertiesOf(kind))
         if (!isOfSolver(property) && isOffered(property))
-            addRow(*grid, property);
+            addRow(property);
     if (kind == Kind::Settings) {
         m_solver = foldButton("solverFields");
-        grid->addWidget(m_solver, grid->rowCount(), 0, 1, 4);
+        m_grid->addWidget(m_solver, m_grid->rowCount(), 0, 1, columns);
         for (const Property& property : propertiesOf(kind))
             if (isOfSolver(property))
-                addRow(*grid, property);
+                addRow(property);
     }
     m_idle = foldButton("idleFields");
-    grid->addWidget(m_idle, grid->rowCount(), 0, 1, 4);
-    grid->setRowStretch(grid->rowCount(), 1);
+    m_grid->addWidget(m_idle, m_grid->rowCount(), 0, 1, columns);
+    m_grid->setRowStretch(m_grid->rowCount(), 1);
 }
 
 FoldButton* PropertyForm::foldButton(const char* name)
@@ -127,9 +130,9 @@ FoldButton* PropertyForm::foldButton(const char* name)
     return button;
 }
 
-void PropertyForm::addRow(QGridLayout& grid, const Property& property)
+void PropertyForm::addRow(const Property& property)
 {
-    const int row = grid.rowCount();
+    const int row = m_grid->rowCount();
     const QString tip = tipOf(property);
 
     auto* label = new ScrubLabel(labelOf(property));
@@ -163,15 +166,16 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
             [this, &property] { m_subject.edit(property, setTo(property.initial)); });
 
     const bool isTall = field.widget->sizeHint().height() > 36; // px
-    grid.addWidget(label, row, 0, isTall ? Qt::AlignTop : Qt::AlignVCenter);
+    m_grid->addWidget(label, row, 0, isTall ? Qt::AlignTop : Qt::AlignVCenter);
     label->setMinimumHeight(isTall ? reset->sizeHint().height() : 0); // level with the first line
-    grid.addWidget(field.widget, row, 1);
+    m_grid->addWidget(field.widget, row, 1);
     auto* remedy = remedyButton(property, *complaint);
-    grid.addWidget(slider, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
-    grid.addWidget(remedy, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
-    grid.addWidget(reset, row, 3, isTall ? Qt::AlignTop : Qt::AlignVCenter);
-    grid.addWidget(complaint, row + 1, 1, 1, 3);
-    m_rows.push_back({&property, label, tip, complaint, slider, remedy, reset, std::move(field)});
+    m_grid->addWidget(slider, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
+    m_grid->addWidget(remedy, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
+    m_grid->addWidget(reset, row, 3, isTall ? Qt::AlignTop : Qt::AlignVCenter);
+    m_grid->addWidget(complaint, row + 2, 1, 1, columns - 1);
+    m_rows.push_back(
+        {&property, label, tip, complaint, slider, remedy, reset, std::move(field), row});
     addMenu(m_rows.back());
 }
 
@@ -307,7 +311,35 @@ int PropertyForm::showRows()
         m_solver->setToolTip(tr("Time step, solver and accuracy. The automatic solver chooses "
                                 "what fits."));
     }
+    placeChoices();
     return fitting;
+}
+
+void PropertyForm::placeChoices()
+{
+    const int room = roomBesideLabels();
+    for (Row& row : m_rows) {
+        QWidget* field = row.field.widget;
+        const bool isBelow = !row.property->choices.empty() && field->sizeHint().width() > room;
+        if (row.isBelow == isBelow)
+            continue;
+        row.isBelow = isBelow;
+        m_grid->removeWidget(field);
+        if (isBelow)
+            m_grid->addWidget(field, row.place + 1, 0, 1, columns);
+        else
+            m_grid->addWidget(field, row.place, 1);
+    }
+}
+
+int PropertyForm::roomBesideLabels() const
+{
+    int others = m_grid->columnMinimumWidth(0);
+    for (const Row& row : m_rows)
+        if (!row.label->isHidden())
+            others = std::max(others, row.label->sizeHint().width());
+    others += (columns - 2) * rowButtonWidth + (columns - 1) * m_grid->horizontalSpacing();
+    return contentsRect().marginsRemoved(m_grid->contentsMargins()).width() - others;
 }
 
 void PropertyForm::refresh()
@@ -347,6 +379,12 @@ void PropertyForm::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     refresh();
+}
+
+void PropertyForm::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    placeChoices();
 }
 
 void PropertyForm::leave()

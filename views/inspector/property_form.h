@@ -5,7 +5,8 @@
 // values, and which rows there are to see. What differs from the default has a bold label. What
 // does nothing at the moment is left out, and a last row says how many those are and shows them:
 // they have a pale label then and say why in its tool tip. Of the settings, how the run is computed
-// is folded away at the end. A search finds all of them.
+// is folded away at the end. A search finds all of them. A choice with long texts stands below its
+// label where it has no room beside the labels.
 #pragma once
 
 #include "inspector/field.h"
@@ -47,15 +48,20 @@ private:
         QToolButton* remedy; // in the place of the slider, where one makes the value count
         QToolButton* reset;
         Field field;
+        int place;              // row of the layout; the next two are for what stands below it
+        bool isBelow = false;   // stands the field below the label
         bool isChanged = false; // differs from the default
         QString idle = {};      // why it does nothing now, or empty
     };
 
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     FoldButton* foldButton(const char* name);
     bool fits(const Row& row) const; // what is searched for
     int showRows();                  // and returns how many fit
-    void addRow(QGridLayout& grid, const Property& property);
+    void addRow(const Property& property);
+    void placeChoices();
+    int roomBesideLabels() const; // px
     void addMenu(const Row& row);
     void toggleSlider(const Property& property);
     QToolButton* remedyButton(const Property& property, QLabel& complaint);
@@ -64,6 +70,7 @@ private:
     Subject& m_subject;
     UsageWatch& m_usage;
     SliderShelf& m_sliders;
+    QGridLayout* m_grid;
     std::vector<Row> m_rows;
     QString m_words;                // that are searched for
     FoldButton* m_idle;             // shows what does nothing now

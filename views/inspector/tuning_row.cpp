@@ -101,9 +101,9 @@ TuningRow::TuningRow(Document& document, UsageWatch& usage, LastDirections& dire
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 5);
     grid->setColumnStretch(1, 4);
-    const bool isVector = std::holds_alternative<Vec3>(property.initial);
-    grid->addWidget(m_label, 0, 0, 1, isVector ? 2 : 1);
-    grid->addWidget(m_field.widget, isVector ? 1 : 0, isVector ? 0 : 1, 1, isVector ? 2 : 1);
+    const bool isWide = std::holds_alternative<Vec3>(property.initial) || !property.choices.empty();
+    grid->addWidget(m_label, 0, 0, 1, isWide ? 2 : 1);
+    grid->addWidget(m_field.widget, isWide ? 1 : 0, isWide ? 0 : 1, 1, isWide ? 2 : 1);
     grid->addWidget(remove, 0, 2, Qt::AlignTop);
     if (hasRange(property))
         grid->addWidget(rangeLine(), 2, 0, 1, 2);
