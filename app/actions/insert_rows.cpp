@@ -57,12 +57,19 @@ public:
                                           "were drawn, imported or detached have no "
                                           "parameters.")
                                      : tr("Select one part only."));
-        m_viewport.transformTool().goToDesign();
         const Part& part = *findItem<Part>(m_document.scene(), parts.front());
-        BuilderDialog(QString::fromStdString(part.builder),
-                      {m_document, m_selection, m_viewport.camera().focus, parts.front()},
-                      &m_window)
-            .exec();
+        TransformTool& shaping = m_viewport.transformTool();
+        BuilderDialog dialog(QString::fromStdString(part.builder),
+                             {.document = m_document,
+                              .selection = m_selection,
+                              .focus = m_viewport.camera().focus,
+                              .part = parts.front(),
+                              .showsRun = !shaping.isAtDesign()},
+                             &m_window);
+        // a part with another mesh has no place in a run, whose particles it shares only in part
+        QObject::connect(&dialog, &BuilderDialog::agreed, &dialog,
+                         [&shaping] { shaping.goToDesign(); });
+        dialog.exec();
     }
 
     void detach() const

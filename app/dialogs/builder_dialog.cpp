@@ -156,10 +156,12 @@ void BuilderDialog::layOut()
     m_show->setChecked(!showsRun);
     if (showsRun)
         m_show->setText(tr("Show in the view (not in a run)"));
-    m_show->setToolTip(showsRun
-                           ? tr("The view shows a run, which goes on as it is. What is inserted "
-                                "comes into it; to see it before, go back to the start first.")
-                           : tr("The design shows the outcome while this dialog is open."));
+    m_show->setToolTip(
+        !showsRun ? tr("The design shows the outcome while this dialog is open.")
+        : m_scene ? tr("The view shows a run, which stays as it is until the part is changed; the "
+                       "view goes back to the start then. To see it before, go there first.")
+                  : tr("The view shows a run, which goes on as it is. What is inserted comes into "
+                       "it; to see it before, go back to the start first."));
     connect(m_show, &QCheckBox::toggled, this, &BuilderDialog::post);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -409,6 +411,7 @@ void BuilderDialog::accept()
         return;
     takeBack();
     if (m_open) {
+        emit agreed();
         m_open->document.push(m_outcome->edit);
         m_open->selection.set(m_outcome->bodies);
         if (m_isNew)

@@ -6,7 +6,8 @@
 // when it goes there, and in a view of the dialog's own when it is a new one.
 //
 // While the view shows a run it shows no preview: trying out is an edit, and the run would go on
-// with it. The run, its moment and the camera stay as they are until something is inserted.
+// with it. The run, its moment and the camera stay as they are until something is inserted, or
+// built again.
 //
 // Accepted, a change of the open design is one step of the history; dismissed, it is none. The
 // dialog is modal because the preview stands in the history until then: another edit would come to
@@ -65,6 +66,8 @@ public:
     void reject() override;
 
 signals:
+    void agreed(); // what was built goes into the open design next
+
     // What is inserted stands in the view for the first time since its builder or its place was
     // chosen, so the camera may turn to it.
     void shown(const std::vector<ripstop::Id>& bodies);

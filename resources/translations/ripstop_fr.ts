@@ -305,6 +305,11 @@
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
+        <source>The view shows a run, which stays as it is until the part is changed; the view goes back to the start then. To see it before, go there first.</source>
+        <translation>La vue montre une simulation, qui reste telle quelle jusqu’à ce que la pièce soit changée ; la vue revient alors au départ. Pour le voir avant, revenez-y d’abord.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
         <source>Too large to be shown while you type.</source>
         <translation>Trop grand pour être montré pendant la saisie.</translation>
     </message>

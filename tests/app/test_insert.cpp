@@ -360,6 +360,42 @@ private slots:
         QCOMPARE(shop.frame().time, moment);
     }
 
+    // As the dialog Insert does: looking at the parameters changes nothing. The part is built again
+    // in the design, as another mesh shares only some particles with the run.
+    void aRunGoesOnBehindTheParameters()
+    {
+        Shop shop(built("frame"));
+        shop.player.playUntil(0.2);
+        QTRY_VERIFY(!shop.player.isPlaying() && shop.frame().time > 0.19);
+        const std::uint64_t run = shop.player.run();
+        const double moment = shop.frame().time;
+        const std::vector<Vec3> places = shop.frame().position;
+        const Scene before = shop.document.scene();
+        shop.selection.set({shop.part(0)});
+        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
+            auto* show = dialog.findChild<QCheckBox*>("show");
+            QVERIFY(!show->isEnabled() && !show->isChecked());
+            type(numberOf(dialog, "columns"), "7");
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            QVERIFY(shop.document.scene() == before);
+        });
+        QTest::qWait(50); // for a compile that would be due
+        QCOMPARE(shop.player.run(), run);
+        QCOMPARE(shop.frame().time, moment);
+        QVERIFY(shop.frame().position == places);
+        QVERIFY(shop.document.scene() == before);
+
+        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
+            type(numberOf(dialog, "columns"), "7");
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            okOf(dialog)->click();
+        });
+        QCOMPARE(shop.count(), std::size_t(24));
+        QTRY_COMPARE(shop.frame().position.size(), std::size_t(24));
+        QCOMPARE(shop.frame().time, 0.0);
+        QVERIFY(shop.player.run() != run);
+    }
+
     // What is no part stands in the menu as well, where people look for a wind.
     void addsWhatIsNoPart()
     {
