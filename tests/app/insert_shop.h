@@ -1,9 +1,15 @@
 // The window with a scene, of which it counts particles and knows parts by their order.
 //
+// Beside it stands what the dialogs of builders are asked and told.
+//
 // Whoever makes one has to run by runWithWidgets().
 #pragma once
 
 #include "app/window_shop.h"
+
+#include <QAbstractButton>
+#include <QDialogButtonBox>
+#include <QLineEdit>
 
 #include <utility>
 #include <vector>
@@ -33,5 +39,21 @@ struct InsertShop : WindowShop
         return ids.at(index);
     }
 };
+
+inline QAbstractButton* okOf(QDialog& dialog)
+{
+    return dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+}
+
+inline QLineEdit* numberOf(QDialog& dialog, const char* key)
+{
+    return dialog.findChild<QWidget*>(key)->findChild<QLineEdit*>();
+}
+
+inline void typeInto(QLineEdit* field, const char* words)
+{
+    field->selectAll();
+    QTest::keyClicks(field, words);
+}
 
 } // namespace ripstop

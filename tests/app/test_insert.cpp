@@ -36,22 +36,6 @@ Scene built(const char* name) { return *build(*findBuilder(name), {}); }
 
 using Shop = InsertShop;
 
-QAbstractButton* okOf(QDialog& dialog)
-{
-    return dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
-}
-
-QLineEdit* numberOf(QDialog& dialog, const char* key)
-{
-    return dialog.findChild<QWidget*>(key)->findChild<QLineEdit*>();
-}
-
-void type(QLineEdit* field, const char* words)
-{
-    field->selectAll();
-    QTest::keyClicks(field, words);
-}
-
 } // namespace
 
 class TestInsert : public QObject
@@ -94,7 +78,7 @@ private slots:
         cloth->setCurrentIndex(0);
         QLineEdit* span = numberOf(dialog, "span");
         span->setFocus();
-        type(span, "3");
+        typeInto(span, "3");
         QTest::keyClick(span, Qt::Key_Return);
         QCOMPARE(span->text(), QStringLiteral("3"));
         QCOMPARE(cloth->currentIndex(), 0);
@@ -116,10 +100,10 @@ private slots:
             builders->setCurrentIndex(builders->findData(QString(design)));
             return numberOf(dialog, key)->text();
         };
-        type(numberOf(dialog, "span"), "3");
-        type(numberOf(dialog, "wind"), "9");
+        typeInto(numberOf(dialog, "span"), "3");
+        typeInto(numberOf(dialog, "wind"), "9");
         QCOMPARE(see("hang_glider", "span"), QString("3"));
-        type(numberOf(dialog, "span"), "10.5");
+        typeInto(numberOf(dialog, "span"), "10.5");
         QCOMPARE(see("delta_kite", "span"), QString("3"));
         QCOMPARE(see("bridle", "wind"), QString("9"));
         dialog.findChild<QPlainTextEdit*>()->setPlainText("1\t0.4");
@@ -294,7 +278,7 @@ private slots:
         const int steps = shop.document.history().count();
         shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
             QTRY_COMPARE(shop.count(), rope + 12);
-            type(numberOf(dialog, "columns"), "5");
+            typeInto(numberOf(dialog, "columns"), "5");
             QTRY_COMPARE(shop.count(), rope + 18);
             dialog.findChild<QCheckBox*>("show")->click();
             QTRY_COMPARE(shop.count(), rope);
@@ -306,7 +290,7 @@ private slots:
         QVERIFY(now == before);
 
         shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
-            type(numberOf(dialog, "width"), "240 cm");
+            typeInto(numberOf(dialog, "width"), "240 cm");
             QTRY_VERIFY(okOf(dialog)->isEnabled());
             okOf(dialog)->click();
         });
@@ -316,84 +300,6 @@ private slots:
         QCOMPARE(shop.document.history().count(), 1);
         shop.document.history().undo();
         QCOMPARE(shop.count(), rope);
-    }
-
-    // The dialog that opens during a run, and is dismissed, leaves the run, its moment and the
-    // camera as they were; what is inserted comes into the run, whose time goes on.
-    void aRunGoesOnBehindTheDialog()
-    {
-        Shop shop(built("rope"));
-        shop.player.playUntil(0.2);
-        QTRY_VERIFY(!shop.player.isPlaying() && shop.frame().time > 0.19);
-        const std::uint64_t run = shop.player.run();
-        const double moment = shop.frame().time;
-        const std::vector<Vec3> places = shop.frame().position;
-        Camera camera = shop.viewport.camera();
-        camera.distance *= 1.5;
-        shop.viewport.look(camera);
-        const Scene before = shop.document.scene();
-        shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
-            QTRY_VERIFY(okOf(dialog)->isEnabled());
-            auto* show = dialog.findChild<QCheckBox*>("show");
-            QVERIFY(!show->isEnabled() && !show->isChecked());
-            QVERIFY(show->toolTip().contains("goes on"));
-            QVERIFY(shop.document.scene() == before);
-        });
-        QTest::qWait(50); // for a compile that would be due
-        QCOMPARE(shop.player.run(), run);
-        QCOMPARE(shop.frame().time, moment);
-        QVERIFY(shop.frame().position == places);
-        QVERIFY(shop.document.scene() == before);
-        QCOMPARE(shop.viewport.camera().distance, camera.distance);
-        QCOMPARE(shop.viewport.camera().focus, camera.focus);
-
-        const std::size_t rope = shop.count();
-        shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
-            QTRY_VERIFY(okOf(dialog)->isEnabled());
-            okOf(dialog)->click();
-        });
-        QCOMPARE(shop.count(), rope + 12);
-        const Vec3 focus = shop.viewport.camera().focus; // on what has come
-        QTRY_COMPARE(shop.frame().position.size(), rope + 12);
-        QCOMPARE(shop.viewport.camera().focus, focus); // though the middle of all has jumped
-        QCOMPARE(shop.player.run(), run);
-        QCOMPARE(shop.frame().time, moment);
-    }
-
-    // As the dialog Insert does: looking at the parameters changes nothing. The part is built again
-    // in the design, as another mesh shares only some particles with the run.
-    void aRunGoesOnBehindTheParameters()
-    {
-        Shop shop(built("frame"));
-        shop.player.playUntil(0.2);
-        QTRY_VERIFY(!shop.player.isPlaying() && shop.frame().time > 0.19);
-        const std::uint64_t run = shop.player.run();
-        const double moment = shop.frame().time;
-        const std::vector<Vec3> places = shop.frame().position;
-        const Scene before = shop.document.scene();
-        shop.selection.set({shop.part(0)});
-        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
-            auto* show = dialog.findChild<QCheckBox*>("show");
-            QVERIFY(!show->isEnabled() && !show->isChecked());
-            type(numberOf(dialog, "columns"), "7");
-            QTRY_VERIFY(okOf(dialog)->isEnabled());
-            QVERIFY(shop.document.scene() == before);
-        });
-        QTest::qWait(50); // for a compile that would be due
-        QCOMPARE(shop.player.run(), run);
-        QCOMPARE(shop.frame().time, moment);
-        QVERIFY(shop.frame().position == places);
-        QVERIFY(shop.document.scene() == before);
-
-        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
-            type(numberOf(dialog, "columns"), "7");
-            QTRY_VERIFY(okOf(dialog)->isEnabled());
-            okOf(dialog)->click();
-        });
-        QCOMPARE(shop.count(), std::size_t(24));
-        QTRY_COMPARE(shop.frame().position.size(), std::size_t(24));
-        QCOMPARE(shop.frame().time, 0.0);
-        QVERIFY(shop.player.run() != run);
     }
 
     // What is no part stands in the menu as well, where people look for a wind.
@@ -421,10 +327,10 @@ private slots:
         Shop shop(built("rope"));
         shop.during<BuilderDialog>("insert bridle", [&](BuilderDialog& dialog) {
             QTRY_VERIFY(okOf(dialog)->isEnabled());
-            type(numberOf(dialog, "rows"), "900");
+            typeInto(numberOf(dialog, "rows"), "900");
             QTRY_VERIFY(!okOf(dialog)->isEnabled());
             QTRY_VERIFY(dialog.findChild<QLabel*>("counts")->text().contains("Rows"));
-            type(numberOf(dialog, "rows"), "2");
+            typeInto(numberOf(dialog, "rows"), "2");
             auto* table = dialog.findChild<QPlainTextEdit*>("lengths");
             table->setPlainText("1,5\t0,9\n1,5\tlong\n"); // as a spreadsheet copies it
             QTRY_VERIFY(dialog.findChild<QLabel*>("counts")->text().contains("\"long\""));
@@ -442,7 +348,7 @@ private slots:
         dialog.show();
         auto* field = dialog.findChild<QWidget*>("width");
         auto* slider = field->findChild<QSlider*>();
-        type(numberOf(dialog, "width"), "10");
+        typeInto(numberOf(dialog, "width"), "10");
         QCOMPARE(slider->value(), slider->maximum());
         slider->setValue(slider->minimum());
         QCOMPARE(numberOf(dialog, "width")->text(), QString("0.2"));
@@ -457,9 +363,9 @@ private slots:
         shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
             QVERIFY(!dialog.findChild<QComboBox*>("builder")->isEnabled());
             QCOMPARE(numberOf(dialog, "columns")->text(), QString("3"));
-            type(numberOf(dialog, "columns"), "7");
+            typeInto(numberOf(dialog, "columns"), "7");
             QTRY_COMPARE(shop.count(), std::size_t(24));
-            type(numberOf(dialog, "columns"), "4");
+            typeInto(numberOf(dialog, "columns"), "4");
             QTRY_COMPARE(shop.count(), std::size_t(15));
             QTRY_VERIFY(okOf(dialog)->isEnabled());
             okOf(dialog)->click();
