@@ -118,8 +118,9 @@ private:
     QString takePicture(Options& options) const
     {
         options.legend = m_parser.isSet(m_legend);
+        options.pins = m_parser.isSet(m_pins);
         options.viewOnly = m_parser.isSet(m_viewOnly) || m_parser.isSet(m_pictureWidth)
-                           || m_parser.isSet(m_backdrop) || options.legend
+                           || m_parser.isSet(m_backdrop) || options.legend || options.pins
                            || isPage(options.screenshot);
         if (m_parser.isSet(m_backdrop)) {
             const auto backdrop = backdrops.indexOf(m_parser.value(m_backdrop));
@@ -179,6 +180,8 @@ private:
              "NAME"});
     const QCommandLineOption m_legend =
         add({"legend", words("Legend and compass in a picture of the view.")});
+    const QCommandLineOption m_pins =
+        add({"pins", words("Marks of fixed particles in a picture of the view.")});
     const QCommandLineOption m_size = add({"size", words("Size of the window (1280x800)."), "WxH"});
     const QCommandLineOption m_theme = add(
         {"theme", words("Colours: desktop, light or dark; as chosen in the View menu."), "NAME"});

@@ -31,6 +31,7 @@ struct Options
     int pictureWidth = 0;                  // pixels, of a picture of the view; 0 as it is shown
     Backdrop backdrop = Backdrop::Scenery; // of a picture of the view
     bool legend = false;                   // and compass, in a picture of the view
+    bool pins = false;                     // marked in a picture of the view
     std::optional<QSize> size;
     std::optional<ThemeChoice> appearance; // without one the kept theme is used
     std::optional<Language> language;      // without one the kept language is used

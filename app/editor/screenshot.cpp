@@ -127,10 +127,10 @@ bool Screenshot::writeView(const QString& file)
     viewport.image(); // the first picture takes in what has changed since
     const QSize shown = viewport.size() * viewport.devicePixelRatioF();
     const int width = m_options.pictureWidth;
-    return writePicture(
-        viewport,
-        {width > 0 ? sizeOfWidth(width, shown) : shown, m_options.backdrop, m_options.legend},
-        file);
+    return writePicture(viewport,
+                        {width > 0 ? sizeOfWidth(width, shown) : shown, m_options.backdrop,
+                         m_options.legend, m_options.pins},
+                        file);
 }
 
 // Saves the import dialog, once it shows what will be made of the mesh.

@@ -63,6 +63,7 @@ PictureDialog::PictureDialog(Viewport& viewport, QWidget* parent)
     , m_height(pixels(tr("Height")))
     , m_backdrop(new QComboBox)
     , m_overlays(new QCheckBox(tr("&Legend and compass")))
+    , m_pins(new QCheckBox(tr("&Pins")))
     , m_note(new QLabel)
     , m_preview(new QLabel)
 {
@@ -82,7 +83,8 @@ PictureDialog::PictureDialog(Viewport& viewport, QWidget* parent)
         connect(box, &QSpinBox::valueChanged, this, soon);
     for (QComboBox* list : {m_format, m_sizes, m_backdrop})
         connect(list, &QComboBox::currentIndexChanged, this, soon);
-    connect(m_overlays, &QCheckBox::toggled, this, soon);
+    for (QCheckBox* box : {m_overlays, m_pins})
+        connect(box, &QCheckBox::toggled, this, soon);
     preview();
 }
 
@@ -96,7 +98,8 @@ void PictureDialog::layOut()
         {tr("Sky and ground"), tr("White paper, with shadows"), tr("Transparent")});
     const std::pair<QWidget*, const char*> names[]{
         {m_format, "format"}, {m_sizes, "sizes"},       {m_width, "width"},
-        {m_height, "height"}, {m_backdrop, "backdrop"}, {m_overlays, "overlays"}};
+        {m_height, "height"}, {m_backdrop, "backdrop"}, {m_overlays, "overlays"},
+        {m_pins, "pins"}};
     for (const auto& [field, name] : names)
         field->setObjectName(name);
     m_note->setWordWrap(true);
@@ -117,7 +120,12 @@ void PictureDialog::layOut()
     form->addRow(tr("&Size:"), m_sizes);
     form->addRow(QString(), size);
     form->addRow(tr("&Background:"), m_backdrop);
-    form->addRow(QString(), m_overlays);
+    m_pins->setToolTip(tr("The marks of particles that are held in place."));
+    auto* shown = new QHBoxLayout;
+    shown->addWidget(m_overlays);
+    shown->addWidget(m_pins);
+    shown->addStretch();
+    form->addRow(QString(), shown);
     form->addRow(m_note);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto* go = buttons->addButton(tr("Choose the &file…"), QDialogButtonBox::AcceptRole);
@@ -143,12 +151,13 @@ void PictureDialog::takeKept()
         std::clamp(settings.value("picture/size", int(Paper)).toInt(), int(Window), int(Paper)));
     m_backdrop->setCurrentIndex(std::clamp(settings.value("picture/backdrop", 0).toInt(), 0, 2));
     m_overlays->setChecked(settings.value("picture/overlays", true).toBool());
+    m_pins->setChecked(settings.value("picture/pins", false).toBool());
 }
 
 PictureLook PictureDialog::look() const
 {
     return {QSize(m_width->value(), m_height->value()), Backdrop(m_backdrop->currentIndex()),
-            m_overlays->isChecked()};
+            m_overlays->isChecked(), m_pins->isChecked()};
 }
 
 QString PictureDialog::ending() const
@@ -189,10 +198,8 @@ void PictureDialog::preview()
                         ? tr("%1 cm wide at 300 dots per inch.")
                               .arg(QLocale().toString(look.size.width() / 300.0 * 2.54, 'f', 1))
                         : tr("JPEG has no transparency: the background will be white."));
-    const QSize small = look.size.scaled(previewSize, Qt::KeepAspectRatio);
-    m_preview->setPixmap(onChequers(m_viewport.image(Viewport::Shot{
-        small, look.overlays ? Viewport::Overlays::With : Viewport::Overlays::Without,
-        look.backdrop})));
+    look.size.scale(previewSize, Qt::KeepAspectRatio);
+    m_preview->setPixmap(onChequers(pixelsOf(m_viewport, look)));
 }
 
 void PictureDialog::keep() const
@@ -203,6 +210,7 @@ void PictureDialog::keep() const
         settings.setValue("picture/size", m_sizes->currentIndex());
     settings.setValue("picture/backdrop", m_backdrop->currentIndex());
     settings.setValue("picture/overlays", m_overlays->isChecked());
+    settings.setValue("picture/pins", m_pins->isChecked());
 }
 
 } // namespace ripstop

@@ -43,6 +43,7 @@ private:
     QSpinBox* m_height;
     QComboBox* m_backdrop;
     QCheckBox* m_overlays;
+    QCheckBox* m_pins;
     QLabel* m_note;
     QLabel* m_preview;
     QTimer m_soon;

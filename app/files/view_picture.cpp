@@ -20,9 +20,9 @@ bool paint(Viewport& viewport, const PictureLook& look, QPaintDevice& page)
     QPainter painter;
     if (!painter.begin(&page))
         return false;
-    painter.drawImage(
-        QRect(QPoint(), look.size),
-        viewport.image(Viewport::Shot{look.size, Viewport::Overlays::Without, look.backdrop}));
+    PictureLook bare = look;
+    bare.overlays = false;
+    painter.drawImage(QRect(QPoint(), look.size), pixelsOf(viewport, bare));
     if (look.overlays)
         viewport.paintOverlays(painter, look.size);
     return painter.end();
@@ -54,10 +54,7 @@ bool writePixels(Viewport& viewport, PictureLook look, const QString& file, cons
     const bool hasAlpha = format == QLatin1String("png");
     if (look.backdrop == Backdrop::Transparent && !hasAlpha)
         look.backdrop = Backdrop::White;
-    const QImage picture = viewport.image(Viewport::Shot{
-        look.size, look.overlays ? Viewport::Overlays::With : Viewport::Overlays::Without,
-        look.backdrop});
-    return picture.save(file, format.toLatin1().constData());
+    return pixelsOf(viewport, look).save(file, format.toLatin1().constData());
 }
 
 } // namespace
@@ -66,6 +63,13 @@ QSize sizeOfWidth(int width, QSize view)
 {
     const double share = double(std::max(view.height(), 1)) / std::max(view.width(), 1);
     return {width, std::max(1, int(std::lround(width * share)))};
+}
+
+QImage pixelsOf(Viewport& viewport, const PictureLook& look)
+{
+    return viewport.image(Viewport::Shot{
+        look.size, look.overlays ? Viewport::Overlays::With : Viewport::Overlays::Without,
+        look.backdrop, look.pins ? Viewport::Pins::With : Viewport::Pins::Without});
 }
 
 bool writePicture(Viewport& viewport, const PictureLook& look, const QString& file)

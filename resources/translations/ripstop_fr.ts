@@ -6068,6 +6068,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
+        <source>Marks of fixed particles in a picture of the view.</source>
+        <translation>Marques des particules fixées dans une image de la vue.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
         <source>Only the 3D view, without legend and compass.</source>
         <translation>La vue 3D seule, sans légende ni boussole.</translation>
     </message>
@@ -6569,6 +6574,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="picture_dialog.cpp"/>
         <source>&amp;Kind:</source>
         <translation>T&amp;ype :</translation>
+    </message>
+    <message>
+        <location filename="picture_dialog.cpp"/>
+        <source>&amp;Pins</source>
+        <translation>É&amp;pingles</translation>
     </message>
     <message>
         <location filename="picture_dialog.cpp"/>

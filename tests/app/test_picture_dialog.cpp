@@ -79,12 +79,32 @@ private slots:
             field<QComboBox>(dialog, "format").setCurrentIndex(2);
             field<QComboBox>(dialog, "backdrop").setCurrentIndex(1);
             field<QCheckBox>(dialog, "overlays").setChecked(false);
+            QVERIFY(!dialog.look().pins); // marks are for who edits
+            field<QCheckBox>(dialog, "pins").setChecked(true);
             field<QPushButton>(dialog, "go").click();
         }
         PictureDialog cancelled(view.viewport, nullptr);
         QCOMPARE(cancelled.ending(), QString("svg"));
         QCOMPARE(int(cancelled.look().backdrop), int(Backdrop::White));
         QVERIFY(!cancelled.look().overlays);
+        QVERIFY(cancelled.look().pins);
+    }
+
+    // The mark of the hand that holds the line.
+    void pinsAreInItWhereTheyAreWanted()
+    {
+        View view;
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        view.viewport.fit({}); // the hand, too
+        PictureLook look{QSize(400, 300), Backdrop::White, false};
+        const auto pinned = [&view, &look](bool pins) {
+            look.pins = pins;
+            return QImage::fromData(view.written(look, "pins.png"));
+        };
+        const QImage with = pinned(true);
+        QVERIFY(with != pinned(false));
+        QCOMPARE(pinned(true), with);
     }
 
     void pixelsHaveTheSizeThatWasAskedFor()

@@ -3,10 +3,9 @@
 // Stages: pictures of one red panel tell by their pixels whether panels and arrows are drawn; then
 // torn panels, following cameras, clicks, drags of hands and controls, turning and zooming.
 #include "tools/pointing.h"
-#include "views/bare_view.h"
+#include "views/front_view.h"
 #include "views/run_with_widgets.h"
 
-#include "camera/camera_projection.h"
 #include "compile/compile.h"
 #include "document/recordings.h"
 #include "layers/wind_layer.h"
@@ -19,7 +18,6 @@
 #include <QMouseEvent>
 #include <QtTest>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -27,42 +25,7 @@ namespace ripstop::test_viewport {
 
 namespace {
 
-// One red panel that fills the middle of a picture taken from the front. Ids: part 1, particles
-// 2, 3, 4, panel 5, material 6.
-Scene redPanel()
-{
-    Scene scene;
-    Part part;
-    part.particles.push_back({.id = Id{2}, .position = Vec3(-1, -1, 0), .pinned = true});
-    part.particles.push_back({.id = Id{3}, .position = Vec3(1, -1, 0), .pinned = true});
-    part.particles.push_back({.id = Id{4}, .position = Vec3(0, 1, 0), .pinned = true});
-    part.panels.push_back({Id{5}, Id{2}, Id{3}, Id{4}, Id{6}});
-    Material material;
-    material.color = "#ff0000";
-    scene.items = {{Id{1}, part}, {Id{6}, material}};
-    scene.nextId = Id{7};
-    return scene;
-}
-
-bool isReddish(const QColor& color)
-{
-    return color.red() > 2 * color.green() && color.red() > 2 * color.blue();
-}
-
-struct View : BareView
-{
-    explicit View(Scene scene)
-        : BareView(std::move(scene), {400, 300})
-    {
-        viewport.view(PresetView::Front);
-    }
-
-    QColor middle()
-    {
-        const QImage image = viewport.image(); // more pixels than points on a fine screen
-        return image.pixelColor(image.width() / 2, image.height() * 8 / 15);
-    }
-};
+using View = FrontView;
 
 } // namespace
 
@@ -247,22 +210,6 @@ private slots:
         QVERIFY(isReddish(view.middle()));
     }
 
-    // What is selected is marked in the window, and not in pictures that are taken away.
-    void picturesHaveNoMarksOfTheSelection()
-    {
-        View view(redPanel());
-        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
-        QTRY_VERIFY(view.player.frame());
-        const auto middle = [&] {
-            return view.viewport.image(Viewport::Shot{{400, 300}, Viewport::Overlays::Without})
-                .pixelColor(200, 160);
-        };
-        const QColor bare = middle();
-        view.selection.set({Id{5}});
-        QCOMPARE(middle(), bare);
-        QVERIFY(view.middle() != bare);
-    }
-
     // Colours of values stay those of the legend: an outline marks what is selected then.
     void theSelectionLeavesColoursOfValues()
     {
@@ -279,37 +226,6 @@ private slots:
                 QCOMPARE(view.middle() == bare, colorBy != ColorBy::Material);
                 QVERIFY(view.viewport.image() != without);
             }
-    }
-
-    // Without the marks of pins a picture is another one at the three pinned corners, and the view
-    // has them again afterwards.
-    void picturesMayGoWithoutPins()
-    {
-        View view(redPanel());
-        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
-        QTRY_VERIFY(view.player.frame());
-        const auto shot = [&](Viewport::Pins pins) {
-            return view.viewport.image(
-                Viewport::Shot{{400, 300}, Viewport::Overlays::Without, Backdrop::White, pins});
-        };
-        const QImage with = shot(Viewport::Pins::With), without = shot(Viewport::Pins::Without);
-        const CameraProjection project(view.viewport.camera(), 400.0, 300.0);
-        std::array<int, 3> changed{}; // pixels, beside each corner
-        for (int y = 0; y < 300; ++y)
-            for (int x = 0; x < 400; ++x) {
-                if (with.pixel(x, y) == without.pixel(x, y))
-                    continue;
-                int corner = 0;
-                for (const auto& particle : view.player.frame()->position) {
-                    const QPointF away = *project.pixel(particle) - QPointF(x, y);
-                    if (std::hypot(away.x(), away.y()) < 12.0)
-                        ++changed[std::size_t(corner)];
-                    ++corner;
-                }
-            }
-        for (const int pixels : changed)
-            QVERIFY2(pixels > 20, qPrintable(QString::number(pixels)));
-        QCOMPARE(shot(Viewport::Pins::With), with);
     }
 
     void clicksSelect()

@@ -149,6 +149,18 @@ void Stage::setSelected(std::vector<Id> ids)
     m_selectionIsOld = true;
 }
 
+void Stage::setSelectionMarked(bool marked)
+{
+    m_selectionMarked = marked;
+    m_selectionIsOld = true;
+}
+
+void Stage::setPinsShown(bool shown)
+{
+    m_pins.setShown(shown);
+    m_guides.setShown(shown);
+}
+
 void Stage::setPixelRatio(double ratio)
 {
     m_layersAreOld |= ratio != m_pixelRatio;
@@ -388,10 +400,16 @@ void Stage::prepare(const Scene& scene)
     m_values = valuesOf(*m_frame, m_colorBy, m_look);
     takeRange();
 
-    const Picture picture{scene,    *m_frame, m_look,       m_theme,    m_points, m_selected,
-                          m_bodies, m_people, m_limbs,      m_colorBy,  m_values, colors(),
-                          range(),  m_bounds, m_pixelRatio, m_meshShown};
+    const auto withSelected = [this, &scene](const std::vector<Id>& ids) {
+        return Picture{scene,    *m_frame, m_look,       m_theme,    m_points, ids,
+                       m_bodies, m_people, m_limbs,      m_colorBy,  m_values, colors(),
+                       range(),  m_bounds, m_pixelRatio, m_meshShown};
+    };
+    const std::vector<Id> none;
+    const Picture marked = withSelected(m_selectionMarked ? m_selected : none);
+    const Picture followed = withSelected(m_selected); // or trails would begin anew
     for (Layer* layer : layers()) {
+        const Picture& picture = layer == &trails ? followed : marked;
         const bool shows = layer == &m_highlight || layer == &m_colliders // what is selected
                            || layer == &trails;
         if (rebuild || (m_selectionIsOld && shows))

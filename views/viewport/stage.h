@@ -49,7 +49,8 @@ public:
     void forgetRanges();                                 // those that were typed for another scene
     void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
     void setSelected(std::vector<Id> ids);
-    void setBackdrop(Backdrop backdrop); // sky and ground at first
+    void setSelectionMarked(bool marked); // on at first; trails are left of it in any case
+    void setBackdrop(Backdrop backdrop);  // sky and ground at first
     void setPixelRatio(double ratio);
     void sceneChanged() { m_lookIsOld = true; } // what the scene says about looks
     void designChanged() { m_design.reset(); }  // what the scene says about places
@@ -64,7 +65,7 @@ public:
     void setStreaksShown(bool shown);    // that drift with the wind; on at first
     void setMotionReduced(bool reduced); // without them, whatever was chosen
     void setVectors(Vectors vectors);
-    void setPinsShown(bool shown) { m_pins.setShown(shown); }
+    void setPinsShown(bool shown); // marks of particles that are fixed or guided
     void setGrainShown(bool shown);
     void setMeshShown(bool shown); // links that stand for fabric; off at first
 
@@ -145,6 +146,7 @@ private:
     SteadyRange m_range;
     std::array<std::optional<ValueRange>, colorByCount> m_fixedRanges;
     std::vector<Id> m_selected;
+    bool m_selectionMarked = true;
     Eigen::AlignedBox3d m_bounds;
     Eigen::AlignedBox3d m_landscape; // around the height fields
     double m_pixelRatio = 1.0;

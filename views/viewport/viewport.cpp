@@ -381,11 +381,11 @@ QImage Viewport::image(const Shot& shot)
 {
     d->shotRatio = double(shot.size.height()) / std::max(height(), 1);
     d->stage.setBackdrop(shot.backdrop);
-    d->stage.setSelected({}); // a mark of the window, not of the design
+    d->stage.setSelectionMarked(false); // which is of the window, not of the design
     d->stage.setPinsShown(shot.pins == Pins::With);
     QImage picture = d->screen.picture(shot.size, shot.backdrop);
     d->stage.setBackdrop(Backdrop::Scenery);
-    d->stage.setSelected(d->selection.ids());
+    d->stage.setSelectionMarked(true);
     d->stage.setPinsShown(true);
     d->shotRatio.reset();
     if (!picture.isNull() && shot.overlays == Overlays::With) {

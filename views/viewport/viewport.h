@@ -99,9 +99,9 @@ public:
     enum class Overlays { With, Without };
     QImage image(Overlays overlays = Overlays::With);
 
-    // The view in another size, in pixels; of what lies over it only legend and compass, as large
-    // as they are in the view.
-    enum class Pins { With, Without }; // the marks of fixed particles
+    // The view in another size, in pixels, without the marks of what is selected; of what lies over
+    // it only legend and compass, as large as they are in the view.
+    enum class Pins { With, Without }; // the marks of particles that are fixed or guided
     struct Shot
     {
         QSize size;
