@@ -12,6 +12,7 @@
 #include "dialogs/rigidity_dialog.h"
 #include "dialogs/settle_dialog.h"
 #include "dialogs/verification_dialog.h"
+#include "docks/docks.h"
 #include "document/document.h"
 #include "document/recordings.h"
 #include "document/selection.h"
@@ -76,11 +77,12 @@ void Dialogs::takeChecks(Dialogs& before)
 
 void Dialogs::showKeys(KeyMap& keys) { KeysDialog(keys, m_document.scene(), &m_window).exec(); }
 
-// The action runs when the palette is gone, as if it had been chosen in its menu.
-void Dialogs::showPalette()
+// The action runs when the palette is gone, as if it had been chosen in its menu; but who looks for
+// a panel wants to see it, also where it stands open behind others.
+void Dialogs::showPalette(const Docks& docks)
 {
     Palette palette(*m_window.menuBar(), &m_window);
-    if (palette.exec() == QDialog::Accepted)
+    if (palette.exec() == QDialog::Accepted && !docks.showToggled(*palette.chosen()))
         QMetaObject::invokeMethod(palette.chosen(), &QAction::trigger, Qt::QueuedConnection);
 }
 

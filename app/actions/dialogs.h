@@ -19,6 +19,7 @@ class Actions;
 class CertifyDialog;
 class ConditionDialog;
 class DesignDifferenceDialog;
+class Docks;
 class Document;
 class KeyMap;
 class Player;
@@ -43,7 +44,7 @@ public:
     void takeChecks(Dialogs& before);
 
     void showKeys(KeyMap& keys);
-    void showPalette();
+    void showPalette(const Docks& docks);
     void showPreferences(const Actions& actions, RunFiles& runFiles);
     void showVerification();                  // runs its cases when they have not been
     void showPolar();                         // of the selected material

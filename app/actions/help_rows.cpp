@@ -42,6 +42,7 @@ Manual* manualFor(QMainWindow& window)
 MenuRows helpRows(const Workbench& bench)
 {
     Dialogs& dialogs = bench.dialogs;
+    const Docks& docks = bench.docks;
     const Actions& actions = bench.actions;
     QMainWindow& window = bench.window;
     Manual* manual = manualFor(window);
@@ -49,7 +50,7 @@ MenuRows helpRows(const Workbench& bench)
     return {
         {"&Help", "manual",     tr("&Manual"),             nullptr,   {},                   tr("The book: tutorials, editor, materials, tuning, studies, physics."), [manual] { manual->showStart(); }},
         {"&Help", "manualHere", tr("Manual about &this"),  nullptr,   QKeySequence("F1"),   tr("The page of the manual about the property, panel or dialog under the mouse."), [manual] { manual->showHere(); }},
-        {"&Help", "palette",    tr("&Find an action…"),    "search",  QKeySequence("F3"),   tr("Type to find anything that the menus can do."), [&dialogs] { dialogs.showPalette(); }},
+        {"&Help", "palette",    tr("&Find an action…"),    "search",  QKeySequence("F3"),   tr("Type to find anything that the menus can do."), [&dialogs, &docks] { dialogs.showPalette(docks); }},
         {"&Help", "keys",       tr("&Keys…"),              "keys",    QKeySequence("Shift+F1"), tr("All keys, to see and to change, and those of the controls of this scene."), [&dialogs, &actions] { dialogs.showKeys(actions.keys()); }},
         {"&Help", "tour",       tr("&Tour"),               nullptr,   {},                   tr("What the parts of the window are for, in a minute."), bench.showTour},
         {"&Help", "verification", tr("&Verification…"),    nullptr,   {},                   tr("Run the cases whose answer is known, and see what comes out."), [&dialogs] { dialogs.showVerification(); }},

@@ -35,7 +35,11 @@ MenuRows timelineRows(const Workbench& bench)
         {"Ti&meline", "continueHere", tr("&Continue from here"), "branch",    QKeySequence("Ctrl+Alt+Space"), tr("Begin a new run at this moment, with the design as it is now. The run that is shown is kept."), [&runs] { runs.continueHere(); }},
         {"Ti&meline", "backToLive", tr("Back to the &run"),     "live",       QKeySequence("Alt+End"),     tr("Show the run as it stands now."), [&runs] { runs.backToLive(); }},
         {"Ti&meline", "compare",     tr("C&ompare with…"),      "compare",    {},                          tr("Show another run at the same time as a ghost, and plot how far the two are apart."), [&docks, &timeline] { docks.show("timeline"); timeline.askWhatToCompare(); }},
+        {"Ti&meline", "loopFrom",   tr("Loop &from here on"),   "loop",       {},                          tr("Playback repeats what follows this moment."), [&timeline] { timeline.loopFromHere(); }},
+        {"Ti&meline", "loopTo",     tr("Loop up &to here"),     nullptr,      {},                          tr("Playback repeats what was before this moment."), [&timeline] { timeline.loopToHere(); }},
+        {"Ti&meline", "noLoop",     tr("No &loop"),             nullptr,      {},                          tr("Playback ends where the run does."), [&runs] { runs.setLoop({}); }},
         {"Ti&meline", "renameRun",  tr("Rename the r&un…"),     nullptr,      {},                          tr("Give the run that is shown another name."), [&timeline] { timeline.rename(); }},
+        {"Ti&meline", "removeRun",  tr("Remove this run"),      "delete",     {},                          tr("Forget the run that is shown; the design stays as it is."), [&runs] { runs.remove(runs.current()); }},
         line,
         {"Ti&meline", "recordingMemory", tr("M&emory for recordings…"), nullptr, {},                       tr("How much of a run stays in memory before it goes to the disk."), [&files] { files.askForMemory(); }},
     };

@@ -88,6 +88,13 @@ bool Docks::show(const QString& id) const
     return true;
 }
 
+bool Docks::showToggled(const QAction& toggle) const
+{
+    return std::ranges::any_of(m_all, [&](const Dock& dock) {
+        return dock.widget->toggleViewAction() == &toggle && show(dock.widget->objectName());
+    });
+}
+
 QList<QAction*> Docks::toggles() const
 {
     std::map<QString, QAction*> sorted;

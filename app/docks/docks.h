@@ -40,7 +40,8 @@ public:
 
     // brings it before the others of its area; false when there is none
     bool show(const QString& id) const;
-    QList<QAction*> toggles() const; // that show and hide them, by their ids
+    bool showToggled(const QAction& toggle) const; // the one that it shows and hides, likewise
+    QList<QAction*> toggles() const;               // that show and hide them, by their ids
 
     // Puts all of them back to the places and sizes of their rows, and shows them.
     void arrange();

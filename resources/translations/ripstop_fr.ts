@@ -16708,6 +16708,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
+        <source>Forget the run that is shown; the design stays as it is.</source>
+        <translation>Oublier la simulation montrée ; le modèle reste tel quel.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
         <source>Give the run that is shown another name.</source>
         <translation>Donner un autre nom à la simulation montrée.</translation>
     </message>
@@ -16738,6 +16743,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
+        <source>Loop &amp;from here on</source>
+        <translation>Boucle à partir d’&amp;ici</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Loop up &amp;to here</source>
+        <translation>Boucle &amp;jusqu’ici</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
         <source>M&amp;emory for recordings…</source>
         <translation>Mémoire des &amp;enregistrements…</translation>
     </message>
@@ -16745,6 +16760,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="timeline_rows.cpp"/>
         <source>Next boo&amp;kmark</source>
         <translation>Repère &amp;suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>No &amp;loop</source>
+        <translation>Sans bouc&amp;le</translation>
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
@@ -16763,6 +16783,21 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
+        <source>Playback ends where the run does.</source>
+        <translation>La lecture s’arrête où la simulation finit.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Playback repeats what follows this moment.</source>
+        <translation>La lecture répète ce qui suit cet instant.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Playback repeats what was before this moment.</source>
+        <translation>La lecture répète ce qui précède cet instant.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
         <source>Pre&amp;vious event</source>
         <translation>Événement &amp;précédent</translation>
     </message>
@@ -16770,6 +16805,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="timeline_rows.cpp"/>
         <source>Previous bookm&amp;ark</source>
         <translation>Repère préc&amp;édent</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Remove this run</source>
+        <translation>Supprimer cette simulation</translation>
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>

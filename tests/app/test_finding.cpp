@@ -19,6 +19,7 @@
 #include "views/run_with_widgets.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QHelpEvent>
 #include <QInputDialog>
 #include <QKeySequenceEdit>
@@ -172,6 +173,35 @@ private slots:
         auto* dialog = editor.window.findChild<MaterialTestDialog*>();
         QVERIFY(dialog && dialog->isVisible());
         dialog->close();
+    }
+
+    // What the menus of panels hold, and panels by their names: one that stands behind others, or
+    // was closed, comes forward.
+    void paletteFindsPanelsAndTheirMenus()
+    {
+        Editor editor;
+        QVERIFY(editor.window.files().open(samples + "cloth.ripstop.json"));
+        for (const auto& [words, id] : {std::pair{"loop from", "loopFrom"},
+                                        {"loop up", "loopTo"},
+                                        {"remove run", "removeRun"}})
+            inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
+                QTest::keyClicks(palette.findChild<QLineEdit*>(), words);
+                QVERIFY2(palette.chosen() == editor.action(id), words);
+            });
+        auto* tuning = editor.window.findChild<QDockWidget*>("tuning");
+        const auto isSeen = [tuning] { return !tuning->widget()->visibleRegion().isEmpty(); };
+        editor.window.docks().show("tuning");
+        for (const bool isClosed : {false, true}) {
+            editor.window.docks().show("inspector"); // before it
+            tuning->setVisible(!isClosed);
+            QTRY_VERIFY(!isSeen());
+            inDialog<Palette>(editor.action("palette"), [](Palette& palette) {
+                auto* typed = palette.findChild<QLineEdit*>();
+                QTest::keyClicks(typed, "tuning panels");
+                QTest::keyClick(typed, Qt::Key_Return);
+            });
+            QTRY_VERIFY(isSeen());
+        }
     }
 
     // What is grey says what it needs, in the menu where the mouse rests and in the palette.

@@ -28,6 +28,8 @@ public:
     void askForBookmark(); // asks for a name and puts a bookmark at the instant that is shown
     void rename();         // asks for a new name of the current run
     void askWhatToCompare();
+    void loopFromHere(); // plays the rest of the run again and again, or what of it the loop has
+    void loopToHere();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -42,8 +44,6 @@ private:
     void fillBookmarks();
     void fillCompare();
     void plotDifference();
-    void loopFromHere();
-    void loopToHere();
     void refresh();
 
     Recordings& m_recordings;
