@@ -4,7 +4,9 @@
 //    each basic unit made smaller; the growth is the power of that unit in the result. A formula
 //    that adds unlike things grows by no power and is refused.
 // 3. The first listed unit of that dimension names the result, or one is composed of m, kg and s.
-// 4. formulasOf() reads the probes of a scene in their order, and offers each formula that it has
+// 4. faultOf() says what muParser cannot read in sentences of ours, which are translated, by its
+// code.
+// 5. formulasOf() reads the probes of a scene in their order, and offers each formula that it has
 //    read to those behind it, so that there are no circles.
 #include "derived/formula.h"
 
@@ -46,6 +48,88 @@ std::string unitOf(const Dimension& dimension)
     return text;
 }
 
+constexpr std::string_view nameCharacters =
+    "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+using Fault = mu::Parser::exception_type;
+
+bool isFunction(const std::string& token) { return mu::Parser().GetFunDef().contains(token); }
+
+// What muParser does not know reaches to the end of the text where it begins with a sign.
+bool isUnknownName(const Fault& error)
+{
+    const std::string& token = error.GetToken();
+    return error.GetCode() == mu::ecUNASSIGNABLE_TOKEN
+           && token.find_first_not_of(nameCharacters) == std::string::npos && !isFunction(token);
+}
+
+// Counted from 1 and as people count them, while muParser counts bytes from 0.
+long characterAt(std::string_view text, const Fault& error)
+{
+    const auto isFirstByte = [](unsigned char c) { return (c & 0xC0U) != 0x80U; };
+    return 1 + std::ranges::count_if(text.substr(0, std::size_t(error.GetPos())), isFirstByte);
+}
+
+Message unknown(const Fault& error, long place)
+{
+    const std::string& token = error.GetToken();
+    if (isFunction(token))
+        return Message("the function \"%1\" has no brackets behind it: %1(...)", token);
+    if (isUnknownName(error))
+        return Message("\"%1\" is no other probe; names are written with _ for blanks", token);
+    return Message("the sign at character %1 means nothing in a formula", place);
+}
+
+// A function and a text in quotation marks are told without their place, as muParser gives that of
+// what follows them.
+Message faultOf(const Fault& error, std::string_view text)
+{
+    const std::string& token = error.GetToken();
+    const long place = characterAt(text, error);
+    switch (error.GetCode()) {
+    case mu::ecUNASSIGNABLE_TOKEN:
+        return unknown(error, place);
+    case mu::ecUNEXPECTED_OPERATOR:
+        return Message("no number or name stands before \"%1\" at character %2", token, place);
+    case mu::ecUNEXPECTED_EOF:
+        return Message("it ends where a number or a name has to follow");
+    case mu::ecUNEXPECTED_ARG_SEP:
+        return Message("the comma at character %1 is out of place; decimals have a point", place);
+    case mu::ecUNEXPECTED_PARENS:
+        if (token == ")")
+            return Message("the \")\" at character %1 comes too early or has no \"(\" before it",
+                           place);
+        [[fallthrough]];
+    case mu::ecUNEXPECTED_ARG:
+    case mu::ecUNEXPECTED_VAL:
+    case mu::ecUNEXPECTED_VAR:
+    case mu::ecUNEXPECTED_FUN:
+        return Message("a sign such as * is missing before \"%1\" at character %2", token, place);
+    case mu::ecMISSING_PARENS:
+        return Message("a \")\" is missing at its end");
+    case mu::ecTOO_MANY_PARAMS:
+        return Message("the function \"%1\" has too many values in its brackets", token);
+    case mu::ecTOO_FEW_PARAMS:
+        return Message("the function \"%1\" has too few values in its brackets", token);
+    case mu::ecUNEXPECTED_CONDITIONAL:
+    case mu::ecMISSING_ELSE_CLAUSE:
+    case mu::ecMISPLACED_COLON:
+        return Message("a choice is written condition ? value : other value");
+    case mu::ecUNEXPECTED_STR:
+    case mu::ecSTRING_EXPECTED:
+    case mu::ecVAL_EXPECTED:
+    case mu::ecUNTERMINATED_STRING:
+    case mu::ecOPRT_TYPE_CONFLICT:
+    case mu::ecSTR_RESULT:
+        return Message("texts in quotation marks have no place in a formula");
+    case mu::ecEXPRESSION_TOO_LONG:
+    case mu::ecIDENTIFIER_TOO_LONG:
+        return Message("it, or a name in it, is too long");
+    default: // faults of programs that use muParser, not of who types
+        return Message("it cannot be read");
+    }
+}
+
 } // namespace
 
 std::string wordFor(std::string_view name)
@@ -64,7 +148,7 @@ public:
     Parts(std::string_view text, std::span<const Name> names)
         : m_values(names.size(), 0.0)
     {
-        m_parser.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        m_parser.DefineNameChars(nameCharacters.data());
         for (std::size_t i = 0; i < names.size(); ++i) {
             const auto unit = measureOfUnit(names[i].unit);
             m_units.push_back(unit.value_or(Measured{1.0, {}, true}));
@@ -171,11 +255,8 @@ Result<Formula> Formula::read(std::string_view text, std::span<const Name> names
             return Failure{"it adds, or takes a function of, things of different units"};
         parts->setUnit(*dimension);
         return Formula(std::move(parts));
-    } catch (const mu::Parser::exception_type& error) {
-        if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
-            return Failure(Message::verbatim(error.GetMsg()));
-        return Failure("\"%1\" is no other probe; names are written with _ for blanks",
-                       error.GetToken());
+    } catch (const Fault& error) {
+        return Failure(faultOf(error, text));
     }
 }
 
@@ -183,8 +264,8 @@ std::string Formula::unknownName(std::string_view text, std::span<const Name> na
 {
     try {
         (void)Parts(text, names).isNumber();
-    } catch (const mu::Parser::exception_type& error) {
-        if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+    } catch (const Fault& error) {
+        if (isUnknownName(error))
             return error.GetToken();
     }
     return {};

@@ -3151,8 +3151,33 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="formula.cpp"/>
+        <source>a ")" is missing at its end</source>
+        <translation>il manque une « ) » à la fin</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>a choice is written condition ? value : other value</source>
+        <translation>un choix s’écrit condition ? valeur : autre valeur</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>a sign such as * is missing before "%1" at character %2</source>
+        <translation>il manque un signe comme * avant « %1 », au caractère %2</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
         <source>it adds, or takes a function of, things of different units</source>
         <translation>elle additionne des choses d’unités différentes, ou en prend une fonction</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>it cannot be read</source>
+        <translation>elle ne peut pas être lue</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>it ends where a number or a name has to follow</source>
+        <translation>elle s’arrête là où un nombre ou un nom doit suivre</translation>
     </message>
     <message>
         <location filename="formula.cpp"/>
@@ -3163,6 +3188,51 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="formula.cpp"/>
         <source>it is empty; write one like line_tension / weight</source>
         <translation>elle est vide ; en écrire une comme line_tension / weight</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>it, or a name in it, is too long</source>
+        <translation>elle est trop longue, ou un nom qui s’y trouve</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>no number or name stands before "%1" at character %2</source>
+        <translation>aucun nombre ni nom ne précède « %1 », au caractère %2</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>texts in quotation marks have no place in a formula</source>
+        <translation>des textes entre guillemets n’ont pas leur place dans une formule</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>the ")" at character %1 comes too early or has no "(" before it</source>
+        <translation>la « ) » au caractère %1 vient trop tôt ou n’a pas de « ( » avant elle</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>the comma at character %1 is out of place; decimals have a point</source>
+        <translation>la virgule au caractère %1 n’est pas à sa place ; les décimales s’écrivent avec un point</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>the function "%1" has no brackets behind it: %1(...)</source>
+        <translation>la fonction « %1 » n’a pas de parenthèses après elle : %1(...)</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>the function "%1" has too few values in its brackets</source>
+        <translation>la fonction « %1 » a trop peu de valeurs entre ses parenthèses</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>the function "%1" has too many values in its brackets</source>
+        <translation>la fonction « %1 » a trop de valeurs entre ses parenthèses</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>the sign at character %1 means nothing in a formula</source>
+        <translation>le signe au caractère %1 ne veut rien dire dans une formule</translation>
     </message>
     <message>
         <location filename="frame_source.cpp"/>

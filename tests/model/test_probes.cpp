@@ -350,8 +350,30 @@ private slots:
                                  << "\"lift\" is no other probe";
         QTest::newRow("endless") << "1 / 0"
                                  << "no finite number";
-        QTest::newRow("cut off") << "weight *"
-                                 << "nexpected";
+        // the faults that its parser knows, in sentences that are translated; characters are
+        // counted from 1
+        const std::array<std::pair<const char*, const char*>, 18> faults{{
+            {"weight *", "it ends where a number or a name has to follow"},
+            {"weight height", "a sign such as * is missing before \"height\" at character 8"},
+            {"2 weight", "a sign such as * is missing before \"weight\" at character 3"},
+            {"weight 2", "a sign such as * is missing before \"2\" at character 8"},
+            {"2 sin(1)", "a sign such as * is missing before \"sin\" at character 3"},
+            {"weight (2)", "a sign such as * is missing before \"(\" at character 8"},
+            {"weight ** 2", "no number or name stands before \"*\" at character 9"},
+            {"2*(weight", "a \")\" is missing at its end"},
+            {"weight)", "the \")\" at character 7 comes too early or has no \"(\" before it"},
+            {"(2*)", "the \")\" at character 4 comes too early or has no \"(\" before it"},
+            {"2*,3", "the comma at character 3 is out of place"},
+            {"sin(1, 2)", "the function \"sin\" has too many values in its brackets"},
+            {"sin()", "the function \"sin\" has too few values in its brackets"},
+            {"sin", "the function \"sin\" has no brackets behind it: sin(...)"},
+            {"weight ? 1", "a choice is written condition ? value : other value"},
+            {"\"weight\"", "texts in quotation marks have no place in a formula"},
+            {"weight @ 2", "the sign at character 8 means nothing in a formula"},
+            {"2 * \u00e9 + weight", "the sign at character 5 means nothing in a formula"},
+        }};
+        for (const auto& [text, said] : faults)
+            QTest::newRow(text) << text << said;
     }
 
     void badFormulas()
