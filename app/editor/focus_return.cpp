@@ -1,7 +1,7 @@
 // eventFilter() chooses the keys that end typing, finish() delivers one to its field before it
 // takes the focus away, in one go: a Space that is pressed right after Enter is for the scene
 // already. Escape is a shortcut of a menu too, so the question whether it is one is answered as
-// well.
+// well; from a list both go to the view first.
 #include "editor/focus_return.h"
 
 #include "inspector/value_edit.h"
@@ -82,6 +82,8 @@ bool FocusReturn::eventFilter(QObject* watched, QEvent* event)
         return false;
     auto& field = *static_cast<QWidget*>(watched);
     auto& key = *static_cast<QKeyEvent*>(event);
+    if (qobject_cast<QAbstractItemView*>(&field))
+        return leavesTool(field, key);
     if (!takesText(&field) || !endsTyping(key, field) || !isOurs(field) || isInCell(field))
         return false;
     key.accept();
@@ -100,6 +102,18 @@ bool FocusReturn::isOurs(const QWidget& field) const
         if (window == m_view.window())
             return true;
     return false;
+}
+
+bool FocusReturn::leavesTool(const QWidget& list, QKeyEvent& key)
+{
+    if (key.key() != Qt::Key_Escape || !list.hasFocus() || !isOurs(list))
+        return false;
+    const bool was = key.isAccepted();
+    key.ignore();
+    QApplication::sendEvent(&m_view, &key);
+    const bool isTaken = key.isAccepted();
+    key.setAccepted(isTaken || was);
+    return isTaken;
 }
 
 void FocusReturn::finish(QWidget& field, const QKeyEvent& key)

@@ -5,7 +5,9 @@
 // view once Enter or Escape has done its work in a field of the main window, of a dock or of a
 // dialog that stays open beside the window. A value that was refused keeps the focus, so that it
 // can be mended; Enter in a text of several lines begins a line, and Ctrl+Enter ends it. Fields of
-// modal dialogs keep their keys. The main window makes it; only its thread uses it.
+// modal dialogs keep their keys. Escape in a list or a tree is for the tool of the view before it
+// is the shortcut that selects nothing, as it is where the view has the focus. The main window
+// makes it; only its thread uses it.
 #pragma once
 
 #include <QObject>
@@ -29,6 +31,7 @@ protected:
 
 private:
     bool isOurs(const QWidget& field) const;
+    bool leavesTool(const QWidget& list, QKeyEvent& key); // the view has taken the key
     void finish(QWidget& field, const QKeyEvent& key);
 
     QWidget& m_view;

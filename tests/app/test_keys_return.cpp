@@ -7,7 +7,9 @@
 #include "document/words.h"
 #include "editor/tour.h"
 #include "inspector/value_edit.h"
+#include "outline/outline.h"
 #include "scene/path.h"
+#include "tools/pointing.h"
 #include "tools/transform_tool.h"
 #include "transport/control_keys.h"
 
@@ -19,6 +21,7 @@
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTextEdit>
+#include <QTreeView>
 #include <QtTest>
 
 namespace ripstop::test_keys_return {
@@ -243,6 +246,27 @@ private slots:
         QVERIFY(shop.selection.ids() == selected); // Escape was the field's
         shop.type(Qt::Key_Escape);
         QVERIFY(shop.selection.ids().empty()); // and now it is the scene's
+    }
+
+    // In the outline as in the view: the tool is left first, and then the selection.
+    void escapeInTheOutlineLeavesTheTool()
+    {
+        OpenWindow shop;
+        shop.run("selectAll");
+        shop.run("toolBox");
+        const std::vector<Id> selected = shop.selection.ids();
+        QVERIFY(!selected.empty());
+        auto* tree = shop.window.docks().panel<Outline>().findChild<QTreeView*>();
+        QVERIFY(tree);
+        tree->setFocus();
+        QVERIFY(tree->hasFocus());
+        shop.type(Qt::Key_Escape);
+        QVERIFY(!shop.viewport.pointing().hasTool());
+        QVERIFY(shop.window.actions()["toolPointer"]->isChecked());
+        QVERIFY(shop.selection.ids() == selected);
+        QVERIFY(tree->hasFocus());
+        shop.type(Qt::Key_Escape);
+        QVERIFY(shop.selection.ids().empty());
     }
 
     // It can be mended where it stands.
