@@ -3826,6 +3826,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
+        <source>%1 lines, %2 long together</source>
+        <translation>%1 lignes, longues de %2 ensemble</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
         <source>%1 rods</source>
         <translation>%1 tiges</translation>
     </message>
@@ -3833,6 +3838,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="import_dialog.cpp"/>
         <source>%1 springs</source>
         <translation>%1 ressorts</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>1 line, %1 long</source>
+        <translation>1 ligne, longue de %1</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>

@@ -396,6 +396,31 @@ private slots:
         QVERIFY(back.pixelColor(45, 60).red() > 100);
         QCOMPARE(back.pixelColor(45, 60).blue(), 0);
     }
+
+    // Lines beside the faces: a bridle above the square, drawn, counted, and measured on its own.
+    void linesAreShownAndTold()
+    {
+        const QByteArray text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nv 3 2 0\n"
+                                "f 1 2 3 4\nl 4 5 6\n"; // 1 m up and 3 m to the right
+        MeshLook look;
+        look.ground = Qt::black;
+        look.front = look.back = QColor(0, 0, 255);
+        look.edge = look.trouble = QColor(255, 0, 0);
+        look.rim = QColor(0, 255, 0);
+        MeshCamera camera;
+        camera.scale = 20.0;
+        const QImage picture = drawMesh(preparedOf(meshOf(text)), camera, {200, 100}, look);
+        QCOMPARE(picture.pixelColor(100, 20), look.rim); // (0, 1.5)
+        QCOMPARE(picture.pixelColor(140, 10), look.rim); // (2, 2)
+        QCOMPARE(picture.pixelColor(140, 20), look.ground);
+
+        ImportDialog dialog(Scene(), writeFile(m_folder.filePath("bridle.obj"), text));
+        dialog.show();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+        QCOMPARE(dialog.findChild<QLabel*>("resultingSize")->text(),
+                 spaced("1 m wide, 1 m high, 0 m deep")
+                     + QStringLiteral(" \u00b7 2 lines, 4\u00a0m long together"));
+    }
 };
 
 const RegisteredTest registered("test_import", runWithView<TestImport>);

@@ -37,9 +37,29 @@ namespace {
 constexpr int patience = 150;   // ms after the last change
 constexpr int watchEvery = 100; // ms
 
-// All three lengths are in one unit, so that they can be compared.
-QString sizeText(const Vec3& size)
+// Empty where the mesh has faces only. Lines are beside the size, which is that of the fabric: a
+// kite is as wide with a line of 25 m as without.
+QString linesText(const PreparedMesh& mesh)
 {
+    std::size_t count = 0;
+    double length = 0.0; // m
+    for (const RepairedMesh& surface : mesh.surfaces)
+        for (const auto& [a, b] : surface.mesh.lines) {
+            const std::vector<Vec3>& points = surface.mesh.points;
+            length += (points[std::size_t(b)] - points[std::size_t(a)]).norm();
+            ++count;
+        }
+    if (count == 0)
+        return {};
+    return count == 1 ? ImportDialog::tr("1 line, %1 long").arg(spokenText(length, "m"))
+                      : ImportDialog::tr("%1 lines, %2 long together")
+                            .arg(QLocale().toString(qulonglong(count)), spokenText(length, "m"));
+}
+
+// All three lengths are in one unit, so that they can be compared.
+QString sizeText(const PreparedMesh& mesh)
+{
+    const Vec3& size = mesh.size;
     const double largest = size.maxCoeff(); // m
     const double scale = largest >= 1.0 ? 1.0 : largest >= 0.01 ? 100.0 : 1000.0;
     const QString unit = largest >= 1.0    ? ImportDialog::tr("m")
@@ -48,8 +68,10 @@ QString sizeText(const Vec3& size)
     const auto text = [&](double metres) {
         return QLocale().toString(scale * metres, 'g', 4) + QChar(0x202f) + unit;
     };
-    return ImportDialog::tr("%1 wide, %2 high, %3 deep")
-        .arg(text(size.x()), text(size.y()), text(size.z()));
+    const QString box = ImportDialog::tr("%1 wide, %2 high, %3 deep")
+                            .arg(text(size.x()), text(size.y()), text(size.z()));
+    const QString lines = linesText(mesh);
+    return lines.isEmpty() ? box : box + QStringLiteral(" \u00b7 ") + lines;
 }
 
 QString reportText(const MeshFinding& finding)
@@ -283,7 +305,7 @@ void ImportDialog::take(std::shared_ptr<const ImportOutcome> outcome)
     if (!m_outcome->mesh || m_outcome->mesh != m_shown) { // else the camera and the marks stay
         m_shown = m_outcome->mesh;
         m_preview->setMesh(m_shown);
-        m_size->setText(m_shown ? sizeText(m_shown->size) : QString());
+        m_size->setText(m_shown ? sizeText(*m_shown) : QString());
         showReport();
     }
     QStringList lines{isReady() ? countsText(m_outcome->made) : m_outcome->refusal};

@@ -2,7 +2,7 @@
 // surface is projected once, its triangles are filled with a shade from a fixed light, and its
 // edges are drawn a little nearer than the faces that they bound, so that they are not lost in
 // them. Of meshes with many edges only rims and edges of more than two faces are drawn, because all
-// edges would cover the faces.
+// edges would cover the faces. Lines beside the faces are drawn in any case.
 #include "import/mesh_raster.h"
 
 #include <Eigen/Geometry>
@@ -110,6 +110,8 @@ void drawSurface(Canvas& canvas, const RepairedMesh& surface, const MeshCamera& 
                                                     : look.trouble;
         canvas.line(at[std::size_t(edge.a)], at[std::size_t(edge.b)], color.rgb());
     }
+    for (const auto& [a, b] : surface.mesh.lines)
+        canvas.line(at[std::size_t(a)], at[std::size_t(b)], look.rim.rgb());
 }
 
 } // namespace

@@ -17,7 +17,7 @@ struct MeshLook
     QColor front;
     QColor back;
     QColor edge;    // of meshes that are not too fine to show them
-    QColor rim;     // edges of one face
+    QColor rim;     // edges of one face, and lines beside the faces
     QColor trouble; // edges of more than two faces
 };
 
