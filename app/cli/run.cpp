@@ -386,9 +386,10 @@ void addRun(CLI::App& app, Command& chosen)
                      "Write every break: time, element, part, strain, force, energy, place, event")
         ->type_name("FILE");
     command
-        ->add_option("--loads", options->loads,
-                     "Write the ten places nearest to breaking, of the last moment and of the run: "
-                     "kind, element, part, load, strength, margin, time, place")
+        ->add_option(
+            "--loads", options->loads,
+            "Write the ten places nearest to breaking, of the last moment and of the run, "
+            "and those that broke first: kind, element, part, load, strength, margin, time, place")
         ->type_name("FILE");
     command
         ->add_option("--events", options->events,

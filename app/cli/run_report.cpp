@@ -107,19 +107,21 @@ Json accuracyOf(const RunAccuracy& accuracy)
             {"met", accuracy.isMet()}};
 }
 
-Json placesOf(const WorstPlaces& worst)
+Json placesOf(std::span<const LoadedPlace> listed)
 {
     Json places = Json::array();
-    for (const LoadedPlace& place : worst.all())
+    for (const LoadedPlace& place : listed) {
+        const bool isJudged = place.strength > 0.0;
         places.push_back({{"time", place.time},
                           {"kind", choiceNames<LoadKind>[std::size_t(place.kind)]},
                           {place.kind == LoadKind::Cloth ? "panel" : "link", place.element},
                           {"load", place.load},
-                          {"strength", place.strength},
+                          {"strength", isJudged ? Json(place.strength) : Json(nullptr)},
                           {"unit", unitOf(place.kind)},
-                          {"margin", place.margin()},
+                          {"margin", isJudged ? Json(place.margin()) : Json(nullptr)},
                           {"torn", place.torn},
                           {"place", {place.place.x(), place.place.y(), place.place.z()}}});
+    }
     return places;
 }
 
@@ -129,7 +131,9 @@ Json loadsOf(const Frame& frame)
 {
     if (!hasMargins(frame) && frame.worstOfRun.all().empty())
         return nullptr;
-    return {{"moment", placesOf(frame.worstNow)}, {"run", placesOf(frame.worstOfRun)}};
+    return {{"moment", placesOf(frame.worstNow.all())},
+            {"run", placesOf(frame.worstOfRun.all())},
+            {"first_to_break", placesOf(frame.firstBreaks.all())}};
 }
 
 void printReportRow(const std::string& label, const std::string& text)

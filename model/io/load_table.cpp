@@ -22,11 +22,14 @@ void appendRows(std::string& text, const Scene& scene, const char* of,
                 + csvCell(partOfElement(scene, Id{place.element}).name) + ',';
         appendNumber(text, place.load);
         text += ',';
-        appendNumber(text, place.strength);
+        if (place.strength > 0.0)
+            appendNumber(text, place.strength);
         text += ',';
         text += unitOf(place.kind);
-        for (const double value :
-             {place.margin(), place.place.x(), place.place.y(), place.place.z()}) {
+        text += ',';
+        if (place.strength > 0.0)
+            appendNumber(text, place.margin());
+        for (const double value : place.place) {
             text += ',';
             appendNumber(text, value);
         }
@@ -43,6 +46,7 @@ std::optional<Failure> writeLoads(const Scene& scene, const Frame& last,
                        "x (m),y (m),z (m),torn\n";
     appendRows(text, scene, "moment", last.worstNow.all());
     appendRows(text, scene, "run", last.worstOfRun.all());
+    appendRows(text, scene, "first to break", last.firstBreaks.all());
     return replaceFile(file, text);
 }
 

@@ -54,7 +54,7 @@ struct LoadedPlace
     std::array<std::uint32_t, 3> corners{}; // ids of the particles of a panel
     LoadKind kind = LoadKind::Line;
     double load = 0.0;         // N, N/m or N m, as the kind says
-    double strength = 0.0;     // the same, above 0
+    double strength = 0.0;     // the same; 0 of what has broken by a rule that knows none
     double time = 0.0;         // s
     Vec3 place = Vec3::Zero(); // m
     bool torn = false;         // by this load
@@ -122,6 +122,28 @@ private:
                });
     }
 
+    std::array<LoadedPlace, most> m_places;
+    std::size_t m_count = 0;
+};
+
+// What broke first in a run, in that order: of a rip that goes through hundreds of places, where it
+// began. Takes nothing from the heap.
+class FirstBreaks
+{
+public:
+    static constexpr std::size_t most = 10;
+
+    std::span<const LoadedPlace> all() const { return std::span(m_places).first(m_count); }
+
+    void add(const LoadedPlace& place)
+    {
+        if (m_count < most)
+            m_places[m_count++] = place;
+    }
+
+    void forget() { m_count = 0; }
+
+private:
     std::array<LoadedPlace, most> m_places;
     std::size_t m_count = 0;
 };

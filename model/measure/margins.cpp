@@ -385,17 +385,22 @@ void offerPlaces(const System& system, const State& state, const JudgedPlaces& j
     });
 }
 
-void offerTears(const System& system, std::span<const State::Tear> tears,
-                const JudgedPlaces& judged, WorstPlaces& worst)
+LoadedPlace tornPlace(const System& system, const State::Tear& tear, const JudgedPlaces& judged)
 {
-    for (const State::Tear& tear : tears)
-        if (const std::optional<Loaded> loaded = loadedOnce(system, tear, judged)) {
-            LoadedPlace place = placeOf(system, judged, *loaded);
-            place.time = tear.time;
-            place.place = tear.place;
-            place.torn = true;
-            worst.offer(place);
-        }
+    LoadedPlace place;
+    if (const std::optional<Loaded> loaded = loadedOnce(system, tear, judged)) {
+        place = placeOf(system, judged, *loaded);
+    } else {
+        place.element = place.whole = tear.element;
+        place.kind = tear.length == 0.0                                      ? LoadKind::Spar
+                     : std::ranges::count(system.panelKey, tear.element) > 0 ? LoadKind::Cloth
+                                                                             : LoadKind::Line;
+        place.load = tear.force;
+    }
+    place.time = tear.time;
+    place.place = tear.place;
+    place.torn = true;
+    return place;
 }
 
 } // namespace ripstop

@@ -69,12 +69,11 @@ struct JudgedPlaces
 JudgedPlaces judgedPlacesOf(const System& system);
 
 // Offers all places, as they are loaded at the time of the state. Takes nothing from the heap, and
-// neither does offerTears().
+// neither does tornPlace().
 void offerPlaces(const System& system, const State& state, const JudgedPlaces& judged,
                  WorstPlaces& worst);
 
-// Offers what tore, by what it bore then, as it bears nothing afterwards.
-void offerTears(const System& system, std::span<const State::Tear> tears,
-                const JudgedPlaces& judged, WorstPlaces& worst);
+// What tore, with what it bore then, as it bears nothing afterwards.
+LoadedPlace tornPlace(const System& system, const State::Tear& tear, const JudgedPlaces& judged);
 
 } // namespace ripstop

@@ -138,6 +138,7 @@ struct Frame
     WorstPlaces worstNow;                 // of these margins
     WorstPlaces worstOfRun;               // of every step since the start of the run; of a moment
                                           // of a recording there is none
+    FirstBreaks firstBreaks;              // the same
     std::vector<std::uint8_t> gone;       // [panels]
     Vec3 gust = Vec3::Zero();             // m/s, of all gusts together, the same everywhere
     Vec3 wind = Vec3::Zero();             // m/s, gusts included, in the middle of the particles

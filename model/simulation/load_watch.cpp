@@ -48,7 +48,12 @@ bool isAsNoted(const System& system, const JudgedPlaces& judged, const LoadedPla
 void LoadWatch::look(const System& system, const State& state, std::size_t tearsBefore)
 {
     prepare(system, state);
-    offerTears(system, std::span(state.tears).subspan(tearsBefore), m_judged, m_ofRun);
+    for (const State::Tear& tear : std::span(state.tears).subspan(tearsBefore)) {
+        const LoadedPlace place = tornPlace(system, tear, m_judged);
+        if (place.strength > 0.0)
+            m_ofRun.offer(place);
+        m_firstBreaks.add(place);
+    }
     offerPlaces(system, state, m_judged, m_ofRun);
 }
 

@@ -1,4 +1,5 @@
-// The places of a run that were nearest to breaking so far, and those that are now.
+// The places of a run that were nearest to breaking so far, those that are now, and those that
+// broke first.
 //
 // Called after each step, on the thread that steps; it looks and changes nothing. What has no
 // strength costs it nothing.
@@ -18,7 +19,11 @@ class LoadWatch
 {
 public:
     // A new run, or a moment of another one: nothing is known of what was before it.
-    void begin() { m_ofRun.forget(); }
+    void begin()
+    {
+        m_ofRun.forget();
+        m_firstBreaks.forget();
+    }
 
     // The system was changed in place, maybe in what has a strength or belongs to which line.
     void edited() { m_isKnown = false; }
@@ -34,12 +39,15 @@ public:
     // of every step since.
     const WorstPlaces& ofRun() const { return m_ofRun; }
 
+    const FirstBreaks& firstBreaks() const { return m_firstBreaks; } // since begin()
+
 private:
     void prepare(const System& system, const State& state);
     void judge(const System& system, const State& state);
     void dropOthers(const System& system);
 
     WorstPlaces m_ofRun;
+    FirstBreaks m_firstBreaks;
     bool m_isKnown = false; // what is judged of the system with these serials
     std::uint64_t m_serial = 0;
     std::uint64_t m_valuesSerial = 0;

@@ -329,6 +329,7 @@ std::shared_ptr<Frame> Simulation::Private::frame()
     frame->panelMargin = instant.margin().panel;
     frame->worstNow = loads.now(system(), state);
     frame->worstOfRun = loads.ofRun();
+    frame->firstBreaks = loads.firstBreaks();
 
     hands.fill(*frame, system(), state, substep());
     if (trouble) {

@@ -68,6 +68,49 @@ private slots:
         QVERIFY(worst.margin() >= 1.5);
     }
 
+    // Of one material the worst list has three places; those that broke first are all told, in
+    // their order, each with what it could bear.
+    void whatBrokeFirstIsListed()
+    {
+        constexpr double bears = 100.0; // N/m
+        Strip made = strip({}, 0.0, 40.0);
+        made.cloth().warpStrength = made.cloth().weftStrength = bears;
+        made.cloth().tearRule = TearRule::Strength;
+        Simulation simulation(*compile(made.scene));
+        QVERIFY(simulation.runUntil(1.0));
+        const auto frame = simulation.frame();
+        const auto broken = frame->firstBreaks.all();
+        QVERIFY(frame->tears.size() > WorstPlaces::mostAlike);
+        QCOMPARE(broken.size(), std::min(frame->tears.size(), FirstBreaks::most));
+        for (std::size_t i = 0; i < broken.size(); ++i) {
+            QCOMPARE(broken[i].element, std::uint32_t(frame->tears[i].element));
+            QCOMPARE(broken[i].time, frame->tears[i].time);
+            QCOMPARE(broken[i].load, frame->tears[i].force);
+            QCOMPARE(broken[i].kind, LoadKind::Cloth);
+            QCOMPARE(broken[i].strength, bears);
+            QVERIFY(broken[i].torn && broken[i].margin() >= 1.0);
+        }
+    }
+
+    // A rule of force knows no strength: what broke by it is told, and no margin.
+    void whatHasNoStrengthIsListedToo()
+    {
+        Material made = line(12.0);
+        made.lineStrength.reset();
+        made.tearRule = TearRule::Force;
+        made.tearLimit = 12.0; // N
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, made);
+        const auto frame = chain.after(1.0);
+        QCOMPARE(frame->tears.size(), 1u);
+        QVERIFY(frame->worstOfRun.all().empty());
+        QCOMPARE(frame->firstBreaks.all().size(), 1u);
+        const LoadedPlace& first = frame->firstBreaks.all()[0];
+        QCOMPARE(first.element, std::uint32_t(chain.row().links[0].id));
+        QCOMPARE(first.kind, LoadKind::Line);
+        QVERIFY(first.load >= 12.0);
+        QCOMPARE(first.strength, 0.0);
+    }
+
     void snappedSparIsListed()
     {
         Material spar;

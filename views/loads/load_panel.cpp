@@ -26,8 +26,6 @@ namespace {
 
 constexpr int pause = 200; // ms, between two looks; more cannot be read
 
-constexpr std::size_t mostBroken = 10; // that are listed; a rip goes through hundreds
-
 QString helpOfMaterials()
 {
     return LoadPanel::tr("Select these materials, so that the inspector shows their strengths.");
@@ -68,7 +66,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     };
     connect(&document, &Document::replaced, this, [this, edited] {
         m_worst = {}; // its places are those of another design
-        m_broken.clear();
+        m_firstBreaks.forget();
         m_breaks = 0;
         edited();
     });
@@ -171,8 +169,7 @@ void LoadPanel::noteWorst()
     m_worst = newest->worstOfRun;
     m_run = newest->run;
     m_breaks = newest->tears.size();
-    const auto first = newest->tears.begin();
-    m_broken.assign(first, first + std::ptrdiff_t(std::min(m_breaks, mostBroken)));
+    m_firstBreaks = newest->firstBreaks;
 }
 
 // Whether what is seen is the design, and not a run nor a moment of one.
@@ -200,21 +197,11 @@ std::vector<LoadedPlace> LoadPanel::brokenOfRun(const WorstPlaces& worst) const
     for (const LoadedPlace& place : worst.all())
         if (place.torn)
             broken.push_back(place);
-    for (const Tear& tear : isOfRun() ? m_broken : std::vector<Tear>()) {
-        const auto row = ripstop::find(m_document.scene(), Id{tear.element});
-        if (!row || std::ranges::find(broken, tear.element, &LoadedPlace::element) != broken.end())
-            continue;
-        LoadedPlace place;
-        place.element = tear.element;
-        place.kind = tear.length == 0.0            ? LoadKind::Spar
-                     : kindOf(*row) == Kind::Panel ? LoadKind::Cloth
-                                                   : LoadKind::Line;
-        place.load = tear.force;
-        place.time = tear.time;
-        place.place = tear.place;
-        place.torn = true;
-        broken.push_back(place);
-    }
+    if (isOfRun())
+        for (const LoadedPlace& place : m_firstBreaks.all())
+            if (ripstop::find(m_document.scene(), Id{place.element})
+                && std::ranges::find(broken, place.element, &LoadedPlace::element) == broken.end())
+                broken.push_back(place);
     std::ranges::stable_sort(broken, {}, &LoadedPlace::time);
     return broken;
 }
@@ -280,7 +267,7 @@ void LoadPanel::showUntearable()
 
 void LoadPanel::showMore()
 {
-    const bool isMore = isOfRun() && m_breaks > mostBroken;
+    const bool isMore = isOfRun() && m_breaks > FirstBreaks::most;
     m_more->setVisible(isMore);
     if (isMore)
         m_more->setText(

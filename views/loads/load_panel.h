@@ -81,15 +81,15 @@ private:
     QPushButton* m_materials;
     LoadList* m_now;
     LoadList* m_ofRun;
-    QLabel* m_unjudged;         // materials without a strength, below the lists
-    QLabel* m_untearable;       // materials that hold beyond theirs, likewise
-    QLabel* m_more;             // that more has broken than is listed
-    QLabel* m_launch;           // that the worst of the run was the launch
-    bool m_isEdited = true;     // since those were found
-    WorstPlaces m_worst;        // of the newest run that left the design, also when it was reset
-    std::vector<Tear> m_broken; // the first of that run, in order of time
-    std::size_t m_breaks = 0;   // all of them
-    std::uint64_t m_run = 0;    // that run
+    QLabel* m_unjudged;        // materials without a strength, below the lists
+    QLabel* m_untearable;      // materials that hold beyond theirs, likewise
+    QLabel* m_more;            // that more has broken than is listed
+    QLabel* m_launch;          // that the worst of the run was the launch
+    bool m_isEdited = true;    // since those were found
+    WorstPlaces m_worst;       // of the newest run that left the design, also when it was reset
+    FirstBreaks m_firstBreaks; // of that run
+    std::size_t m_breaks = 0;  // in that run, all of them
+    std::uint64_t m_run = 0;   // that run
 };
 
 } // namespace ripstop
