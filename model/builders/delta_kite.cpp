@@ -143,10 +143,11 @@ Id addKeel(Network& network, const Parameters& p, int segments, const std::vecto
     return keel.at(0, 0);
 }
 
+// How a real sail is cut, and how many of its rows the keel has.
 struct RealCut
 {
     SailCut sail;
-    int keel; // rows along the keel, up to the tail
+    int keel; // rows, up to the tail
 };
 
 // Half as many rows as the ideal sail has, and as many strips: about as many panels. Where the
@@ -185,7 +186,7 @@ Sail addRealSail(Network& network, const Parameters& p, const DeltaShape& shape,
     return {frame, cut.keel};
 }
 
-Sail addSail(Network& network, const Parameters& p, const DeltaShape& shape,
+Sail addWing(Network& network, const Parameters& p, const DeltaShape& shape,
              const Materials& materials)
 {
     if (!isIdeal(p, "cloth"))
@@ -235,7 +236,7 @@ Result<Kite> addKite(Scene& scene, Network& network, const Parameters& p,
                            p.at("billow"),
                            p.at("washout") * degrees,
                            p.at("reflex")};
-    const auto [frame, keelSegments] = addSail(network, p, shape, materials);
+    const auto [frame, keelSegments] = addWing(network, p, shape, materials);
     const Id tow = addKeel(network, p, keelSegments, frame.axis, materials);
     network.addFabricMass(clothDensity(p));
     const Result<std::vector<Id>> patches = addPatches(p, pulledAt(frame, tow), scene, network);

@@ -4,8 +4,7 @@
 //    each basic unit made smaller; the growth is the power of that unit in the result. A formula
 //    that adds unlike things grows by no power and is refused.
 // 3. The first listed unit of that dimension names the result, or one is composed of m, kg and s.
-// 4. faultOf() says what muParser cannot read in sentences of ours, which are translated, by its
-// code.
+// 4. faultOf() says what muParser cannot read, by its code, in sentences that are translated.
 // 5. formulasOf() reads the probes of a scene in their order, and offers each formula that it has
 //    read to those behind it, so that there are no circles.
 #include "derived/formula.h"

@@ -126,8 +126,9 @@ private:
     std::size_t m_count = 0;
 };
 
-// What broke first in a run, in that order: of a rip that goes through hundreds of places, where it
-// began. Takes nothing from the heap.
+// The places that broke first in a run, in that order: of a rip that goes through hundreds, where
+// it began. A panel that breaks along its warp and then its weft is one. Takes nothing from the
+// heap.
 class FirstBreaks
 {
 public:
@@ -137,7 +138,10 @@ public:
 
     void add(const LoadedPlace& place)
     {
-        if (m_count < most)
+        const bool isThere = std::ranges::any_of(all(), [&](const LoadedPlace& held) {
+            return held.element == place.element && held.kind == place.kind;
+        });
+        if (m_count < most && !isThere)
             m_places[m_count++] = place;
     }
 
