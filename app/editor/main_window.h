@@ -76,8 +76,8 @@ protected:
 
 private:
     MainWindow(Document& document, Selection& selection, Player& player, Memory memory,
-               const DrawSettings& drawSettings, Recordings* recordings);
-    void openDropped(const QString& file); // null: its own
+               const DrawSettings& drawSettings, Recordings* recordings); // null: its own
+    void openDropped(const QString& file);
     void takeOver(MainWindow& before);
     void buildDocks();
     void buildActions();

@@ -24,11 +24,11 @@ namespace {
 
 // clang-format off
 constexpr auto ownParameters = std::to_array<Parameter>({
-    {"segments",     "",      14,     4, 60,    true,  "Lattice segments per side of the wing; the wing has their square of panels.", "Mesh"},
+    {"segments",     "",      14,     4, 60,    true,  "Lattice segments per side of the wing, which has their square of panels; a sail of real cloth has about as many, in strips from the nose.", "Mesh"},
     {"keel",         "",      5,      1, 30,    true,  "Lattice segments per side of the keel, at most half of those of the wing.", {}, {}, {}, isZero("keel_length")},
     {"span",         "m",     2.4,    0.3, 12,  false, "From tip to tip; about twice the chord gives the usual nose angle of 90 degrees.", "Shape"},
     {"chord",        "m",     1.15,   0.2, 6,   false, "Length from the nose to the trailing edge."},
-    {"keel_depth",   "m",     0.4,    0.02, 3,  false, "How far the tow point hangs below the wing; a third of the half span is usual.", {}, {}, 0.5},
+    {"keel_depth",   "m",     0.4,    0.02, 3,  false, "How far the tow point hangs below the wing; a third to a half of the half span is usual.", {}, {}, 0.5},
     {"keel_length",  "",      0,      0, 0.95,  false, "Share of the chord along which the keel is sewn to a sail of real cloth, from the trailing edge on; its segments follow from those of the wing, and spars weigh where they are, so that the kite is the same at any number of segments. 0 has as many segments as said above.", {}, {}, 0.7, isNotZero("cloth")},
     {"tow",          "",      0.6,    0.2, 0.9, false, "Where the tow point lies below the wing, from 0 at the nose to 1; a little ahead of the centroid of the sail, which is where this law has the centre of pressure; real deltas have both further forward."},
     {"dihedral",     "deg",   8,      -10, 30,  false, "Rise of the leading edges to the tips; keeps the kite upright.", {}, {}, 7},
@@ -143,56 +143,49 @@ Id addKeel(Network& network, const Parameters& p, int segments, const std::vecto
     return keel.at(0, 0);
 }
 
-// How a real sail is cut, and how many of its rows the keel has.
-struct RealCut
-{
-    SailCut sail;
-    int keel; // rows, up to the tail
-};
+// Half as many as the ideal sail has, in as many strips: about as many panels.
+int realRows(const Parameters& p) { return int(std::round(0.5 * p.at("segments"))); }
 
-// Half as many rows as the ideal sail has, and as many strips: about as many panels. Where the
-// length of the keel is said, a row lies at its front, and those ahead of it and behind are evenly
-// spaced each.
-RealCut realCut(const Parameters& p)
+// Rows that the keel is sewn to, up to the tail.
+int keelRows(const Parameters& p)
 {
-    const int rows = int(std::round(0.5 * p.at("segments")));
+    const double length = p.at("keel_length");
+    if (isIdeal(p, "cloth"))
+        return int(p.at("keel"));
+    if (length == 0.0)
+        return std::min(int(p.at("keel")), realRows(p));
+    return std::clamp(int(std::round(length * realRows(p))), 1, realRows(p) - 1);
+}
+
+// Where the length of the keel is said, a row lies at its front, and those ahead of it and behind
+// are evenly spaced each.
+SailCut realCut(const Parameters& p)
+{
+    const int rows = realRows(p);
     const double length = p.at("keel_length");
     if (length == 0.0)
-        return {{evenRows(rows), rows}, std::min(int(p.at("keel")), rows)};
-    const int keel = std::clamp(int(std::round(length * rows)), 1, rows - 1);
+        return {evenRows(rows), rows};
+    const int keel = keelRows(p);
     const int ahead = rows - keel;
-    RealCut cut{{{}, rows}, keel};
+    SailCut cut{{}, rows};
     for (int row = 0; row <= ahead; ++row)
-        cut.sail.rows.push_back((1.0 - length) * row / ahead);
+        cut.rows.push_back((1.0 - length) * row / ahead);
     for (int row = 1; row <= keel; ++row)
-        cut.sail.rows.push_back(1.0 - length * (keel - row) / keel);
+        cut.rows.push_back(1.0 - length * (keel - row) / keel);
     return cut;
 }
 
-struct Sail
-{
-    SailFrame frame;
-    int keel; // segments of the keel, up to the tail
-};
-
 // A real sail is sewn along the keel, and a spar goes there from the nose to the tail.
-Sail addRealSail(Network& network, const Parameters& p, const DeltaShape& shape,
-                 const Materials& materials)
+SailFrame addWing(Network& network, const Parameters& p, const DeltaShape& shape,
+                  const Materials& materials)
 {
-    const RealCut cut = realCut(p);
-    const SailFrame frame = addHalves(network, shape, cut.sail, materials.sail);
-    for (std::size_t row = 0; row + 1 + std::size_t(cut.keel) < frame.axis.size(); ++row)
+    if (isIdeal(p, "cloth"))
+        return SailFrame::of(addSail(network, shape, int(p.at("segments")), materials.sail));
+    const SailFrame frame = addHalves(network, shape, realCut(p), materials.sail);
+    const auto ahead = std::size_t(realRows(p) - keelRows(p));
+    for (std::size_t row = 0; row < ahead; ++row)
         network.rod(frame.axis[row], frame.axis[row + 1], materials.spar);
-    return {frame, cut.keel};
-}
-
-Sail addWing(Network& network, const Parameters& p, const DeltaShape& shape,
-             const Materials& materials)
-{
-    if (!isIdeal(p, "cloth"))
-        return addRealSail(network, p, shape, materials);
-    const Lattice lattice = addSail(network, shape, int(p.at("segments")), materials.sail);
-    return {SailFrame::of(lattice), int(p.at("keel"))};
+    return frame;
 }
 
 // Nodes of the frame share its mass, the ring that the line is tied to among them; spars of a kite
@@ -236,8 +229,8 @@ Result<Kite> addKite(Scene& scene, Network& network, const Parameters& p,
                            p.at("billow"),
                            p.at("washout") * degrees,
                            p.at("reflex")};
-    const auto [frame, keelSegments] = addWing(network, p, shape, materials);
-    const Id tow = addKeel(network, p, keelSegments, frame.axis, materials);
+    const SailFrame frame = addWing(network, p, shape, materials);
+    const Id tow = addKeel(network, p, keelRows(p), frame.axis, materials);
     network.addFabricMass(clothDensity(p));
     const Result<std::vector<Id>> patches = addPatches(p, pulledAt(frame, tow), scene, network);
     if (!patches)

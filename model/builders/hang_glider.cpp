@@ -41,7 +41,7 @@ constexpr CraftChoices choices{sailCloths, tubes, {}, {}, sailPatches};
 
 // clang-format off
 constexpr auto ownParameters = std::to_array<Parameter>({
-    {"segments",    "",      8,     2, 40,    true,  "Lattice segments per side; the sail has their square of panels.", "Mesh"},
+    {"segments",    "",      8,     2, 40,    true,  "Lattice segments per side of the sail, which has their square of panels; one of real cloth has some more, in strips from the nose.", "Mesh"},
     {"span",        "m",     9.6,   2, 20,    false, "From tip to tip.", "Size and mass"},
     {"chord",       "m",     4.0,   1, 10,    false, "Length of the keel from the nose to the trailing edge."},
     {"wing_mass",   "kg",    25,    1, 100,   false, "Sail and frame together, shared equally by all particles but the pilot; where the cloth is ideal.", {}, {}, {}, isZero("cloth")},

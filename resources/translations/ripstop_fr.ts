@@ -12643,8 +12643,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>How far the tow point hangs below the wing; a third of the half span is usual.</source>
-        <translation>De combien le point d’attache pend sous l’aile ; un tiers de la demi-envergure est habituel.</translation>
+        <source>How far the tow point hangs below the wing; a third to a half of the half span is usual.</source>
+        <translation>De combien le point d’attache pend sous l’aile ; d’un tiers à la moitié de la demi-envergure est habituel.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12948,13 +12948,13 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Lattice segments per side of the wing; the wing has their square of panels.</source>
-        <translation>Segments du treillis par côté de l’aile ; l’aile a leur carré de panneaux.</translation>
+        <source>Lattice segments per side of the wing, which has their square of panels; a sail of real cloth has about as many, in strips from the nose.</source>
+        <translation>Segments du treillis par côté de l’aile, qui a leur carré de panneaux ; une voile de toile réelle en a à peu près autant, en laizes qui partent du nez.</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>Lattice segments per side; the sail has their square of panels.</source>
-        <translation>Segments du treillis par côté ; la voile a leur carré de panneaux.</translation>
+        <source>Lattice segments per side of the sail, which has their square of panels; one of real cloth has some more, in strips from the nose.</source>
+        <translation>Segments du treillis par côté de la voile, qui a leur carré de panneaux ; une voile de toile réelle en a un peu plus, en laizes qui partent du nez.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -18,9 +18,36 @@ namespace ripstop::test_insert_in_run {
 
 namespace {
 
-Scene designOf(const char* builder) { return *build(*findBuilder(builder), {}); }
+// A design that has flown for 0.2 s, and what was shown then.
+struct Shop : InsertShop
+{
+    std::uint64_t runShown = 0;
+    double moment = 0.0; // s
+    std::vector<Vec3> places;
+    Scene design;
 
-using Shop = InsertShop;
+    explicit Shop(const char* builder)
+        : InsertShop(*build(*findBuilder(builder), {}))
+    {
+        player.playUntil(0.2);
+        if (!QTest::qWaitFor([&] { return !player.isPlaying() && frame().time > 0.19; }))
+            qFatal("it did not fly");
+        runShown = player.run();
+        moment = frame().time;
+        places = frame().position;
+        design = document.scene();
+    }
+
+    // After a pause in which a compile that is due would be done.
+    void verifyNothingChanged()
+    {
+        QTest::qWait(50);
+        QCOMPARE(player.run(), runShown);
+        QCOMPARE(frame().time, moment);
+        QVERIFY(frame().position == places);
+        QVERIFY(document.scene() == design);
+    }
+};
 
 } // namespace
 
@@ -33,28 +60,18 @@ private slots:
     // camera as they were; what is inserted comes into the run, whose time goes on.
     void aRunGoesOnBehindTheDialog()
     {
-        Shop shop(designOf("rope"));
-        shop.player.playUntil(0.2);
-        QTRY_VERIFY(!shop.player.isPlaying() && shop.frame().time > 0.19);
-        const std::uint64_t run = shop.player.run();
-        const double moment = shop.frame().time;
-        const std::vector<Vec3> places = shop.frame().position;
+        Shop shop("rope");
         Camera camera = shop.viewport.camera();
         camera.distance *= 1.5;
         shop.viewport.look(camera);
-        const Scene before = shop.document.scene();
         shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
             QTRY_VERIFY(okOf(dialog)->isEnabled());
             auto* show = dialog.findChild<QCheckBox*>("show");
             QVERIFY(!show->isEnabled() && !show->isChecked());
             QVERIFY(show->toolTip().contains("goes on"));
-            QVERIFY(shop.document.scene() == before);
+            QVERIFY(shop.document.scene() == shop.design);
         });
-        QTest::qWait(50); // for a compile that would be due
-        QCOMPARE(shop.player.run(), run);
-        QCOMPARE(shop.frame().time, moment);
-        QVERIFY(shop.frame().position == places);
-        QVERIFY(shop.document.scene() == before);
+        shop.verifyNothingChanged();
         QCOMPARE(shop.viewport.camera().distance, camera.distance);
         QCOMPARE(shop.viewport.camera().focus, camera.focus);
 
@@ -67,34 +84,24 @@ private slots:
         const Vec3 focus = shop.viewport.camera().focus; // on what has come
         QTRY_COMPARE(shop.frame().position.size(), rope + 12);
         QCOMPARE(shop.viewport.camera().focus, focus); // though the middle of all has jumped
-        QCOMPARE(shop.player.run(), run);
-        QCOMPARE(shop.frame().time, moment);
+        QCOMPARE(shop.player.run(), shop.runShown);
+        QCOMPARE(shop.frame().time, shop.moment);
     }
 
     // As the dialog Insert does: looking at the parameters changes nothing. The part is built again
     // in the design, as another mesh shares only some particles with the run.
     void aRunGoesOnBehindTheParameters()
     {
-        Shop shop(designOf("frame"));
-        shop.player.playUntil(0.2);
-        QTRY_VERIFY(!shop.player.isPlaying() && shop.frame().time > 0.19);
-        const std::uint64_t run = shop.player.run();
-        const double moment = shop.frame().time;
-        const std::vector<Vec3> places = shop.frame().position;
-        const Scene before = shop.document.scene();
+        Shop shop("frame");
         shop.selection.set({shop.part(0)});
         shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
             auto* show = dialog.findChild<QCheckBox*>("show");
             QVERIFY(!show->isEnabled() && !show->isChecked());
             typeInto(numberOf(dialog, "columns"), "7");
             QTRY_VERIFY(okOf(dialog)->isEnabled());
-            QVERIFY(shop.document.scene() == before);
+            QVERIFY(shop.document.scene() == shop.design);
         });
-        QTest::qWait(50); // for a compile that would be due
-        QCOMPARE(shop.player.run(), run);
-        QCOMPARE(shop.frame().time, moment);
-        QVERIFY(shop.frame().position == places);
-        QVERIFY(shop.document.scene() == before);
+        shop.verifyNothingChanged();
 
         shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
             typeInto(numberOf(dialog, "columns"), "7");
@@ -104,7 +111,7 @@ private slots:
         QCOMPARE(shop.count(), std::size_t(24));
         QTRY_COMPARE(shop.frame().position.size(), std::size_t(24));
         QCOMPARE(shop.frame().time, 0.0);
-        QVERIFY(shop.player.run() != run);
+        QVERIFY(shop.player.run() != shop.runShown);
     }
 };
 
