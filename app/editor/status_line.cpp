@@ -63,7 +63,8 @@ void StatusLine::follow(const Recordings& recordings)
 void StatusLine::tellTears(const Recordings& recordings)
 {
     const auto& recording = recordings.current();
-    if (!recording || !m_player.frame() || m_player.frame()->run != recording->run())
+    // What is shown may be of before it: a short run is over when its first frame is drawn.
+    if (!recording || m_player.run() != recording->run())
         return;
     if (std::exchange(m_watched, recording->run()) != recording->run())
         m_heard = 0;
