@@ -46,7 +46,7 @@ struct Split
 struct TearHold
 {
     int link;     // index into System::links
-    double ratio; // 1, over its limit, of the link that tore
+    double ratio; // 1, over its limit, of the link that tore; it fades (tearing/tearing.h)
 
     friend bool operator==(const TearHold&, const TearHold&) = default;
 };

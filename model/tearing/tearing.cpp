@@ -9,10 +9,12 @@
 #include "assembly/split_system.h"
 #include "base/joined_sets.h"
 #include "forces/spring_force.h"
+#include "system/membrane.h"
 #include "tearing/panel_tearing.h"
 #include "tearing/spar_snapping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ripstop {
@@ -256,27 +258,59 @@ void leaveWorstOfLines(const System& system, const State& state, std::vector<Ove
     });
 }
 
+// What an opening still holds back a step later.
+//   easing  s, in which what has let go loses its load
+double faded(double hold, double timeStep, double easing)
+{
+    return std::min(hold, std::numeric_limits<double>::max()) / (1.0 + timeStep / easing);
+}
+
+// A pull crosses an element in the root of mass times compliance; one that is damped gives way no
+// sooner than its damping time lets it.
+double easingTime(const System& system, const LinkPlace& link)
+{
+    const auto index = std::size_t(link.index);
+    const Rod rod = link.kind == LinkKind::Rod ? system.rods[index] : asRod(system.springs[index]);
+    const double mass = system.mass[std::size_t(link.a)] + system.mass[std::size_t(link.b)];
+    return std::sqrt(mass * rod.compliance) + rod.dampingTime;
+}
+
+double easingTime(const System& system, const Membrane& membrane)
+{
+    const ClothLaw law = lawOf(system, membrane);
+    double mass = 0.0;
+    for (const int corner : system.panels[std::size_t(membrane.panel)].corner)
+        mass += system.mass[std::size_t(corner)];
+    return std::sqrt(mass / std::min(law.warp, law.weft)) + law.dampingTime;
+}
+
+constexpr double farAbove = 1.25; // times the overload that opened the mesh
+
 //   overloads  in order
 void takeHeldPanelsOut(const System& system, State& state, std::vector<Overload>& overloads,
-                       double farAbove, double waits)
+                       double waits)
 {
     auto next = std::ranges::find(overloads, Overload::Of::Panel, &Overload::of);
     for (std::size_t i = 0; i < system.membranes.size(); ++i) {
-        double& hold = state.panelHold[std::size_t(system.membranes[i].panel)];
+        const Membrane& membrane = system.membranes[i];
+        double& hold = state.panelHold[std::size_t(membrane.panel)];
         const bool isAbove =
             next != overloads.end() && next->of == Overload::Of::Panel && next->element == int(i);
         if (hold > 0.0 && !isAbove)
             hold = 0.0;
-        else if (hold > 0.0 && !(next->ratio > farAbove * hold))
-            next->ratio = waits;
+        if (hold > 0.0) {
+            if (!(next->ratio > farAbove * hold))
+                next->ratio = waits;
+            hold = faded(hold, system.timeStep, easingTime(system, membrane));
+        }
         next += isAbove;
     }
 }
 
-// What is held waits until it has been below its limit, or is far above it after all.
+// What is held waits until it has been below its limit, is far above it after all, or has had the
+// time to lose its load.
 void takeHeldOut(const System& system, State& state, std::vector<Overload>& overloads)
 {
-    constexpr double farAbove = 1.25; // times the overload that opened the mesh
     std::sort(overloads.begin(), overloads.end(), inOrder);
     const auto find = [&](int link) {
         const auto found =
@@ -288,10 +322,13 @@ void takeHeldOut(const System& system, State& state, std::vector<Overload>& over
     std::erase_if(state.tearHolds,
                   [&](const TearHold& hold) { return find(hold.link) == overloads.end(); });
     constexpr double waits = 0.0;
-    for (const TearHold& hold : state.tearHolds)
+    for (TearHold& hold : state.tearHolds) {
         if (const auto found = find(hold.link); !(found->ratio > farAbove * hold.ratio))
             found->ratio = waits;
-    takeHeldPanelsOut(system, state, overloads, farAbove, waits);
+        hold.ratio = faded(hold.ratio, system.timeStep,
+                           easingTime(system, system.links[std::size_t(hold.link)]));
+    }
+    takeHeldPanelsOut(system, state, overloads, waits);
     std::erase_if(overloads, [](const Overload& overload) { return overload.ratio == waits; });
 }
 

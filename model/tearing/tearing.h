@@ -54,7 +54,9 @@ struct TearScratch
 // time step, after its last substep. The worst break first, and of those that share a particle only
 // one; a link that is the edge of a panel is noted in State::tearHolds, a panel in
 // State::panelHold, for openTears() to part the mesh there (tear_opening.h). What is held is let be
-// until it has been below its limit, or is a quarter farther above it than what tore there was.
+// until it has been below its limit, or is a quarter farther above it than what tore there was. The
+// latter fades to 1/e in the time that a load needs to go: that in which a pull crosses the
+// element, sqrt(m / k), and the damping time. What still pulls after that tears again.
 //
 // Fabric with a tear energy is judged by it at the tips of tears and notches, of tips with a panel
 // in common one at a time, and around them by nothing else; such a panel does not wait.

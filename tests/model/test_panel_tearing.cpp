@@ -203,6 +203,45 @@ private slots:
         QCOMPARE(goneIn(carried), 0);
     }
 
+    // What goes on being overloaded tears again. It waits for its load to go, which takes the time
+    // in which a pull crosses a panel of the mass m, sqrt(m / E t), and the damping time: what is
+    // held falls by 1/e in that time, and ends a quarter above what the panel bears.
+    void waitsForItsLoadToGo_data()
+    {
+        QTest::addColumn<double>("timeStep");
+        QTest::newRow("long steps") << 1.0 / 240.0;
+        QTest::newRow("short steps") << 1e-4;
+    }
+
+    void waitsForItsLoadToGo()
+    {
+        QFETCH(double, timeStep);
+        Strip made = strip({1, 4, false, 0.0}, 0.0, 1.0);
+        made.scene.settings.timeStep = timeStep;
+        made.scene.settings.tearMesh = TearMesh::Split;
+        made.cloth().tearRule = TearRule::Tension;
+        made.cloth().tearLimit = 100.0;
+        const auto system = *compile(made.scene);
+        State state = system->start;
+        for (std::size_t i = 2; i < state.position.size(); ++i) // the upper cell alone is drawn
+            state.position[i].y() -= 0.005;
+        TearScratch scratch;
+        tearOverloaded(*system, state, {}, scratch);
+        QCOMPARE(state.tears.size(), std::size_t(1));
+        QVERIFY(openTears(*system, state));
+        const auto parted = splitSystem(*system, state.splits, {});
+        State drawn = carryOver(*system, state, *parted); // a hand keeps it as it is
+        int steps = 0;
+        for (; drawn.tears.size() == 1 && steps < 1000; ++steps)
+            tearOverloaded(*parted, drawn, {}, scratch);
+        double mass = 0.0;
+        for (const int corner : parted->panels[0].corner)
+            mass += parted->mass[std::size_t(corner)];
+        const double easing = std::sqrt(mass / stiffness) + made.cloth().dampingTime;
+        const double waited = (steps - 1) * timeStep, expected = easing * std::log(1.25);
+        QVERIFY2(waited >= expected && waited < expected + 2.0 * timeStep, told(waited, expected));
+    }
+
     // A panel that holds on to nothing else cannot part; it goes, with what it held.
     void crumbs()
     {
