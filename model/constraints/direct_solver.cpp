@@ -26,6 +26,10 @@ constexpr double leftByIterations =
 constexpr double longSwing = 2.0;     // steps within a radian of it, squared
 constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
+// Of the taut stiffness: much of it lets pulls settle soon and folds a little later, which contacts
+// cannot wait for.
+constexpr double keptInTheAir = 1e-2;
+constexpr double keptOnObstacles = 1e-3;
 
 } // namespace
 
@@ -150,6 +154,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
 
     guessPushes(task);
     m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_from);
+    m_panels.setKeptByFolds(m_contacts.empty() ? keptInTheAir : keptOnObstacles);
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();
     if ((m_iterates || !m_panels.empty() || !task.nearby.empty()) && !task.before.empty())

@@ -24,14 +24,12 @@ RIPSTOP_INLINE Coordinates strainOf(const ClothAxesPack& axes)
             all(0.5) * (product(axes[1], axes[1]) - all(1.0)), product(axes[0], axes[1])};
 }
 
-RIPSTOP_INLINE Pack withKept(Pack stiffness, Pack taut)
-{
-    return all(1.0 - keptByFolds) * stiffness + all(keptByFolds) * taut;
-}
-
-RIPSTOP_INLINE void keepSome(const ClothLawPack& law, ClothTensionPack& now)
+RIPSTOP_INLINE void keepSome(const ClothLawPack& law, double kept, ClothTensionPack& now)
 {
     ClothStiffnessPack& s = now.stiffness;
+    const auto withKept = [kept](Pack stiffness, Pack taut) {
+        return all(1.0 - kept) * stiffness + all(kept) * taut;
+    };
     s.warp = now.isTaut ? s.warp : withKept(s.warp, law.warp);
     s.weft = now.isTaut ? s.weft : withKept(s.weft, law.weft);
     s.shear = now.isTaut ? s.shear : withKept(s.shear, law.shear);
@@ -40,12 +38,12 @@ RIPSTOP_INLINE void keepSome(const ClothLawPack& law, ClothTensionPack& now)
     s.weftShear = now.isTaut ? s.weftShear : withKept(s.weftShear, Pack{});
 }
 
-void measureFours(std::span<FourPanels> fours, const Row* position)
+void measureFours(std::span<FourPanels> fours, const Row* position, double kept)
 {
     for (FourPanels& four : fours) {
         four.axes = axesOf(four, position);
         four.now = tensionOf(four.law, strainOf(four.axes) - four.offset);
-        keepSome(four.law, four.now);
+        keepSome(four.law, kept, four.now);
     }
 }
 

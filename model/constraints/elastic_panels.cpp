@@ -7,17 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ripstop {
-namespace {
-
-// What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
-// cloth that folds switches between the two from one iteration to the next, and with nothing to
-// resist that it goes too far each time.
-constexpr double keptByFolds = 1e-3;
-
-} // namespace
-} // namespace ripstop
-
 #define RIPSTOP_KERNEL "constraints/elastic_kernel.inl"
 #include "parallel/for_each_machine.inl"
 
@@ -275,7 +264,8 @@ bool ElasticPanels::hasMoreThan(double twice, std::span<const Row> position) con
 double ElasticPanels::measure(std::span<const Row> position, ThreadPool& pool)
 {
     inParallel(pool, [&](std::span<FourPanels> fours) {
-        (wideMachine ? wide::measureFours : anywhere::measureFours)(fours, position.data());
+        (wideMachine ? wide::measureFours : anywhere::measureFours)(fours, position.data(),
+                                                                    m_keptByFolds);
     });
     return energy();
 }

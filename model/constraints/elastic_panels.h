@@ -4,8 +4,8 @@
 // A panel adds h^2 A w(e) to the sum that is minimised, w being the energy per area at Green's
 // strain e. Its block of the matrix is that of Newton's method: B^T C B for the law, and the
 // tension across the way of each corner, g_i . s g_j. Tension that pushes counts as 0 in the
-// latter, and what is wrinkled or slack keeps a thousandth of its taut stiffness: the matrix stays
-// positive.
+// latter, and what is wrinkled or slack keeps a share of its taut stiffness (setKeptByFolds()): the
+// matrix stays positive.
 //
 // Four panels are computed at a time (elastic_kernel.inl), by as many threads as there are: what a
 // panel gets depends on no other. Sums are added panel by panel, in their order.
@@ -72,6 +72,11 @@ public:
     void start(const System& system, std::span<const std::uint8_t> gone, const RodPast& past,
                ThreadPool& pool);
 
+    // What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
+    // cloth that folds switches between the two from one iteration to the next, and with nothing to
+    // resist that it goes too far each time.
+    void setKeptByFolds(double share) { m_keptByFolds = share; }
+
     // Where the rows are now; returns twice the energy of the law there, kg m^2.
     double measure(std::span<const Row> position, ThreadPool& pool);
     double energy() const; // that again
@@ -110,6 +115,7 @@ private:
 
     std::vector<ElasticPanel> m_panels;
     std::vector<FourPanels> m_fours;
+    double m_keptByFolds = 0.0; // 1
 };
 
 } // namespace ripstop
