@@ -98,6 +98,8 @@ void Screenshot::save()
         file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))
                    .arg(m_picture, 4, 10, QChar('0'));
     m_window.viewport().fit(m_fitted); // each time, because what flies leaves the first picture
+    if (m_options.frames == 1)         // one that is looked at alone has the colours of its moment
+        m_window.viewport().setFixedRange({});
     if (!(m_options.viewOnly ? writeView(file) : grabWindow().save(file))) {
         std::fprintf(stderr,
                      "%s: cannot be written; choose a folder that you may write to and the ending "

@@ -1459,6 +1459,16 @@
         <translation>se déchire</translation>
     </message>
     <message>
+        <location filename="dialogs.cpp"/>
+        <source>Plots</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <location filename="dialogs.cpp"/>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
         <location filename="difference_dialog.cpp"/>
         <source>%1 and %2: distance of their particles</source>
         <translation>%1 et %2 : distance de leurs particules</translation>
@@ -4577,8 +4587,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>Click the colours to type their range. The largest value of the moment stands below; click that to select what has it.</source>
-        <translation>Cliquez sur les couleurs pour saisir leur intervalle. La plus grande valeur du moment figure dessous ; cliquez dessus pour sélectionner ce qui la porte.</translation>
+        <source>Click the colours to type their range. The largest value of the moment stands below; click that to select what has it. An arrow at an end of the colours: some values lie beyond.</source>
+        <translation>Cliquez sur les couleurs pour saisir leur intervalle. La plus grande valeur du moment figure dessous ; cliquez dessus pour sélectionner ce qui la porte. Une flèche au bout des couleurs : des valeurs sont au-delà.</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -6472,8 +6482,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="palette.cpp"/>
-        <source>No action has all of these words in its name, its menu or its help. Try fewer words, or others.</source>
-        <translation>Aucune action n’a tous ces mots dans son nom, son menu ou son aide. Essayez moins de mots, ou d’autres.</translation>
+        <source>No action has all of these words in its name, its menu or its help. Try fewer words, or others. Presets of materials are found while a material is selected.</source>
+        <translation>Aucune action n’a tous ces mots dans son nom, son menu ou son aide. Essayez moins de mots, ou d’autres. Les préréglages de matériaux se trouvent quand un matériau est sélectionné.</translation>
     </message>
     <message>
         <location filename="palette.cpp"/>
@@ -7437,11 +7447,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="preset_chooser.cpp"/>
-        <source>Preset</source>
-        <translation>Préréglage</translation>
-    </message>
-    <message>
-        <location filename="preset_chooser.cpp"/>
         <source>Spars</source>
         <translation>Longerons</translation>
     </message>
@@ -7692,8 +7697,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="range_editor.cpp"/>
-        <source>The colours reach as far as the values of the moment.</source>
-        <translation>Les couleurs s'étendent aussi loin que les valeurs du moment.</translation>
+        <source>The colours reach as far as the values of the moment, but for the largest 2 %.</source>
+        <translation>Les couleurs vont jusqu’aux valeurs du moment, sauf les 2 % les plus grandes.</translation>
     </message>
     <message>
         <location filename="range_editor.cpp"/>
@@ -12948,13 +12953,13 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Lattice segments per side of the wing, which has their square of panels; a sail of real cloth has about as many, in strips from the nose.</source>
-        <translation>Segments du treillis par côté de l’aile, qui a leur carré de panneaux ; une voile de toile réelle en a à peu près autant, en laizes qui partent du nez.</translation>
+        <source>Lattice segments per side of the sail, which has their square of panels; one of real cloth has some more, in strips from the nose.</source>
+        <translation>Segments du treillis par côté de la voile, qui a leur carré de panneaux ; une voile de toile réelle en a un peu plus, en laizes qui partent du nez.</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>Lattice segments per side of the sail, which has their square of panels; one of real cloth has some more, in strips from the nose.</source>
-        <translation>Segments du treillis par côté de la voile, qui a leur carré de panneaux ; une voile de toile réelle en a un peu plus, en laizes qui partent du nez.</translation>
+        <source>Lattice segments per side of the wing, which has their square of panels; a sail of real cloth has about as many, in strips from the nose.</source>
+        <translation>Segments du treillis par côté de l’aile, qui a leur carré de panneaux ; une voile de toile réelle en a à peu près autant, en laizes qui partent du nez.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -18230,6 +18235,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Range up to the peak</source>
+        <translation>Intervalle jusqu’au pic</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Reduce motion</source>
         <translation>Réduire les animations</translation>
     </message>
@@ -18322,6 +18332,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="view_rows.cpp"/>
         <source>The colours of the materials.</source>
         <translation>Les couleurs des matériaux.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>The colours reach as far as the largest value. Without it 2 % of the values may lie beyond, so that a few of them do not make the rest look alike; the legend has an arrow then.</source>
+        <translation>Les couleurs vont jusqu’à la plus grande valeur. Sinon 2 % des valeurs peuvent être au-delà, pour que quelques-unes ne donnent pas le même aspect à tout le reste ; la légende a alors une flèche.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -18648,11 +18663,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="words.cpp"/>
         <source>Plot</source>
         <translation>Graphique</translation>
-    </message>
-    <message>
-        <location filename="words.cpp"/>
-        <source>Plots</source>
-        <translation>Courbes</translation>
     </message>
     <message>
         <location filename="words.cpp"/>

@@ -11,6 +11,7 @@
 #include "look/vectors.h"
 #include "overlays/legend.h"
 #include "overlays/range_editor.h"
+#include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
@@ -205,6 +206,63 @@ private slots:
         QVERIFY(!legend.labels().contains("1, breaks"));
         legend.setScale(ColorBy::Stress, {0.0, 2.0}, ColorMap::sequential());
         QVERIFY(!legend.labels().contains("1, breaks"));
+    }
+
+    // An end of the colours says when values lie beyond it, in whichever unit it is shown; one that
+    // is just reached is none.
+    void legendSaysThatValuesLieBeyond()
+    {
+        Legend legend;
+        legend.setScale(ColorBy::Stress, {-8000.0, 8000.0}, ColorMap::diverging()); // in kN/m
+        legend.setPeak(Peak{31, 8000.0}, {-8000.0, 8000.0});
+        QVERIFY(!legend.goesAbove() && !legend.goesBelow());
+        legend.setPeak(Peak{31, 8100.0}, {-7000.0, 8100.0});
+        QVERIFY(legend.goesAbove() && !legend.goesBelow());
+        legend.setPeak(Peak{31, 100.0}, {-8100.0, 100.0});
+        QVERIFY(!legend.goesAbove() && legend.goesBelow());
+        legend.setPeak(std::nullopt, {0.0, 9000.0});
+        QVERIFY(!legend.goesAbove());
+    }
+
+    // What the colours are measured against: links and panels, else particles; what is no number
+    // does not count.
+    void extents()
+    {
+        const Frame now = frame();
+        const auto extentBy = [&](ColorBy colorBy) {
+            return extentOf(valuesOf(now, colorBy, Look()));
+        };
+        QCOMPARE(extentBy(ColorBy::Tension), (ValueRange{10.0, 30.0}));
+        QCOMPARE(extentBy(ColorBy::Speed), (ValueRange{0.0, 2.0}));
+        QCOMPARE(extentBy(ColorBy::Wrinkles), (ValueRange{0.0, 0.0})); // none has any
+        QCOMPARE(extentBy(ColorBy::Material), (ValueRange{0.0, 0.0}));
+    }
+
+    // Of 100 panels that carry a pull one pulls a hundred times as hard: it lies beyond the colours
+    // unless they go up to the peak. The legend tells which.
+    void oneWorstPanelLeavesTheOthersTheirColours()
+    {
+        const Scene scene = oneOfEverything();
+        BareView view(scene, QSize(300, 300));
+        auto layout = std::make_shared<Layout>(*frame().layout);
+        layout->panelId.resize(100, 31);
+        layout->panelCorners.resize(100, {0, 1, 2});
+        auto now = std::make_shared<Frame>(frame());
+        now->layout = layout;
+        now->panelPull.assign(100, {true, ClothState::Taut, 0.0, 10.0});
+        now->panelPull[50].tension = 1000.0;
+        now->gone.resize(100, 0);
+        now->panelLoad.resize(100, Vec3::Zero());
+        view.viewport.setColorBy(ColorBy::Stress);
+        view.viewport.show(now);
+        view.viewport.image();
+        QCOMPARE(view.viewport.range(), (ValueRange{0.0, 10.0}));
+        QVERIFY(view.viewport.legend().goesAbove());
+        QCOMPARE(view.viewport.legend().peakText(), QString("peak 1000"));
+        view.viewport.setRangeToPeak(true);
+        view.viewport.image();
+        QCOMPARE(view.viewport.range(), (ValueRange{0.0, 1000.0}));
+        QVERIFY(!view.viewport.legend().goesAbove());
     }
 
     // The legend of how panels lie has names instead of numbers, and neither peak nor range.

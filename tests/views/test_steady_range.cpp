@@ -42,6 +42,23 @@ private slots:
         QCOMPARE(many.range().high, 1.0);
     }
 
+    // The share that may lie beyond is said by who asks, and is a share of the values that are
+    // there: of 100 that are not zero two lie above the 98th. With none beyond, the peak is in.
+    void letsAShareLieBeyond()
+    {
+        std::vector<double> values(1000, 0.0);
+        for (int i = 0; i < 100; ++i)
+            values[std::size_t(7 * i)] = i < 98 ? 1.0 : 50.0;
+        SteadyRange most, all;
+        most.take(values, false, 0.02);
+        QCOMPARE(most.range().high, 1.0);
+        all.take(values, false, 0.0);
+        QCOMPARE(all.range().high, 50.0);
+        values[0] = 50.0; // a third one
+        most.take(values, false, 0.02);
+        QCOMPARE(most.range().high, 50.0);
+    }
+
     // What is pressed as well as pulled is seen on both sides of zero.
     void becomesSymmetric()
     {

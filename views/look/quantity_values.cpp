@@ -246,4 +246,21 @@ Peak peakOf(const Frame& frame, const QuantityValues& values)
     return {};
 }
 
+std::vector<double> rangedValues(const QuantityValues& values)
+{
+    std::vector<double> all = values.link;
+    all.insert(all.end(), values.panel.begin(), values.panel.end());
+    return all.empty() ? values.particle : all;
+}
+
+ValueRange extentOf(const QuantityValues& values)
+{
+    std::vector<double> all = rangedValues(values);
+    std::erase_if(all, [](double value) { return std::isnan(value); });
+    if (all.empty())
+        return {0.0, 0.0};
+    const auto [low, high] = std::ranges::minmax(all);
+    return {low, high};
+}
+
 } // namespace ripstop

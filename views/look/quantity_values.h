@@ -6,6 +6,7 @@
 #pragma once
 
 #include "look/look.h"
+#include "look/steady_range.h"
 
 #include <array>
 #include <cstdint>
@@ -66,6 +67,11 @@ struct Peak
     double value = 0.0;
 };
 Peak peakOf(const Frame& frame, const QuantityValues& values);
+
+// What the range of the colours is taken from: the values of links and panels, or of particles
+// where those have none.
+std::vector<double> rangedValues(const QuantityValues& values);
+ValueRange extentOf(const QuantityValues& values); // the smallest and the largest; zeros for none
 
 // True for quantities that are names rather than numbers: their colours have a fixed range and no
 // peak.

@@ -8,7 +8,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double let = 0.005;       // share of the values that the range lets go
 constexpr double far = 0.6;         // values below this share of the range ask for a smaller one
 constexpr int patience = 120;       // frames, about 2 s
 constexpr double negligible = 1e-9; // rounding noise of a network at rest, in any unit
@@ -45,16 +44,16 @@ double boundOf(double value)
 
 double roundedUp(double value) { return roundedUp(value, std::array{1.0, 2.0, 5.0}); }
 
-void SteadyRange::take(std::span<const double> values, bool mayBeNegative)
+void SteadyRange::take(std::span<const double> values, bool mayBeNegative, double beyond)
 {
     m_scratch.clear();
     for (const double value : values)
-        if (std::isfinite(value))
+        if (std::isfinite(value) && value != 0.0)
             m_scratch.push_back(value);
     if (m_scratch.empty())
         return;
 
-    const auto few = std::size_t(let * double(m_scratch.size()));
+    const auto few = std::size_t(beyond * double(m_scratch.size()));
     const double top = std::max(0.0, allBut(few, m_scratch, std::greater()));
     const double bottom = mayBeNegative ? std::min(0.0, allBut(few, m_scratch, std::less())) : 0.0;
     const double needed = std::max(top, -bottom);

@@ -2,8 +2,8 @@
 //
 // Its ends are short numbers, at most half again as far as the values go. It widens at once when
 // values leave it, and narrows only after they have stayed far inside for 120 frames, about two
-// seconds. Of many values the largest few are let go, one of 200: a link about to tear would
-// otherwise paint all others alike. Arrows take their scale from such a range, too.
+// seconds. Of many values the largest few are let go: a panel where a bridle pulls, or a link about
+// to tear, would otherwise paint all others alike. Arrows take their scale from such a range, too.
 #pragma once
 
 #include <span>
@@ -22,9 +22,13 @@ struct ValueRange
 class SteadyRange
 {
 public:
+    static constexpr double fewest = 0.005; // one of 200 lies beyond
+
     // Takes in the values of one frame. `mayBeNegative` makes the range symmetric about zero once
-    // a good part of the values is below it, and keeps it so.
-    void take(std::span<const double> values, bool mayBeNegative);
+    // a good part of the values is below it, and keeps it so. `beyond` is the share of the values
+    // that may lie beyond an end; 0 takes in the largest. Zeros do not count there, as most are of
+    // elements that do not have the quantity.
+    void take(std::span<const double> values, bool mayBeNegative, double beyond = fewest);
 
     ValueRange range() const;
     void reset() { *this = {}; }

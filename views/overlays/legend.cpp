@@ -1,7 +1,8 @@
 // captionOf() says name and unit of each quantity. setScale() takes quantity, range and colours,
 // returns when nothing of it has changed, and otherwise sizes the widget for its widest text;
 // setPeak() follows with each picture. marks() finds the round numbers: four or five steps over the
-// range. paintEvent() draws card, title, bar, marks and peak. A release of the mouse in the lowest
+// range. paintBar() draws the colours, with an arrow at an end beyond which values lie;
+// paintEvent() card, title, bar, marks and peak. A release of the mouse in the lowest
 // line means the peak, any other one the range.
 #include "overlays/legend.h"
 
@@ -18,7 +19,9 @@ constexpr int inset = 12;         // pixels
 constexpr int barWidth = 16;      // pixels
 constexpr int barHeight = 200;    // pixels
 constexpr int gap = 8;            // pixels
+constexpr int arrow = 7;          // pixels, of an end beyond which values lie
 constexpr double mostSteps = 5.0; // between round numbers, over the bar
+constexpr double rounding = 1e-6; // of the range: not beyond it yet
 
 struct Caption
 {
@@ -64,8 +67,10 @@ Caption captionOf(ColorBy colorBy)
 Legend::Legend(QWidget* parent)
     : QWidget(parent)
 {
-    setToolTip(tr("Click the colours to type their range. The largest value of the moment stands "
-                  "below; click that to select what has it."));
+    setToolTip(
+        tr("Click the colours to type their range. The largest value of the moment stands "
+           "below; click that to select what has it. An arrow at an end of the colours: some "
+           "values lie beyond."));
     setCursor(Qt::PointingHandCursor);
     hide();
 }
@@ -109,9 +114,10 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
     update();
 }
 
-void Legend::setPeak(const std::optional<Peak>& peak)
+void Legend::setPeak(const std::optional<Peak>& peak, const ValueRange& extent)
 {
     m_peak = peak.value_or(Peak{});
+    m_extent = extent;
     m_isKnown = peak.has_value();
     update();
 }
@@ -122,6 +128,20 @@ QString Legend::peakText() const
         return m_unknown;
     return m_peak.id == 0 || m_isState ? QString()
                                        : tr("peak %1").arg(m_scale.number(m_peak.value));
+}
+
+bool Legend::goesAbove() const
+{
+    const ValueRange range = meant(m_range);
+    const double beyond = m_extent.high - range.high;
+    return m_isKnown && !m_isState && beyond > rounding * (range.high - range.low);
+}
+
+bool Legend::goesBelow() const
+{
+    const ValueRange range = meant(m_range);
+    const double beyond = range.low - m_extent.low;
+    return m_isKnown && !m_isState && beyond > rounding * (range.high - range.low);
 }
 
 void Legend::mousePressEvent(QMouseEvent*) {}
@@ -172,6 +192,30 @@ QStringList Legend::labels() const
     return texts;
 }
 
+void Legend::paintBar(QPainter& painter, const QRect& bar) const
+{
+    const auto colorAt = [this](double share) {
+        const auto [r, g, b] = m_colors->at(share);
+        return QColor(r, g, b);
+    };
+    for (int y = 0; y < bar.height(); ++y) {
+        const double share = 1.0 - (y + 0.5) / bar.height();
+        painter.fillRect(bar.left(), bar.top() + y, bar.width(), 1,
+                         colorAt(m_isState ? std::floor(3.0 * share) / 2.0 : share));
+    }
+    painter.setPen(Qt::NoPen);
+    const auto paintArrow = [&](double share, int base, int tip) {
+        painter.setBrush(colorAt(share));
+        painter.drawPolygon(
+            QPolygonF({QPointF(bar.left(), base), QPointF(bar.left() + bar.width(), base),
+                       QPointF(bar.left() + 0.5 * bar.width(), tip)}));
+    };
+    if (goesAbove())
+        paintArrow(1.0, bar.top(), bar.top() - arrow);
+    if (goesBelow())
+        paintArrow(0.0, bar.top() + bar.height(), bar.top() + bar.height() + arrow);
+}
+
 void Legend::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -185,11 +229,8 @@ void Legend::paintEvent(QPaintEvent*)
     painter.drawText(inset, inset + metrics.ascent(), m_title);
 
     const QRect bar(inset, inset + metrics.height() + gap, barWidth, barHeight);
-    for (int y = 0; y < bar.height(); ++y) {
-        const double share = 1.0 - (y + 0.5) / bar.height();
-        const auto [r, g, b] = m_colors->at(m_isState ? std::floor(3.0 * share) / 2.0 : share);
-        painter.fillRect(bar.left(), bar.top() + y, bar.width(), 1, QColor(r, g, b));
-    }
+    paintBar(painter, bar);
+    painter.setPen(m_theme.text);
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (const Mark& mark : marks()) {
         const int y = bar.top() + int(std::lround((1.0 - mark.share) * (bar.height() - 1)));

@@ -1,6 +1,7 @@
 // The scale of colours beside the view: name, unit and round numbers at a bar.
 //
-// The largest value of the moment stands below it. A click on the bar asks for another range, one
+// The largest value of the moment stands below it. An end of the bar is an arrow while values lie
+// beyond it, as in the plots of Matplotlib. A click on the bar asks for another range, one
 // on the largest value goes to what has it. It is hidden when the view shows materials. Values come
 // in SI units and are shown as people say them: shares in per cent, large pulls in kN.
 #pragma once
@@ -27,7 +28,8 @@ public:
     void setTheme(const Theme& theme);
     void setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors);
     // The largest value of the moment, in SI units; nothing when there is nothing to measure.
-    void setPeak(const std::optional<Peak>& peak);
+    // `extent` is from the smallest to the largest of all values.
+    void setPeak(const std::optional<Peak>& peak, const ValueRange& extent = {0.0, 0.0});
 
     QString title() const { return m_title; }
     QString unit() const { return m_unit; }
@@ -40,6 +42,8 @@ public:
     QStringList labels() const; // from the bottom up
 
     QString peakText() const; // "peak 12.3"; empty when there is none
+    bool goesAbove() const;   // values lie above the colours
+    bool goesBelow() const;
 
 signals:
     void peakClicked(ripstop::Id id);
@@ -58,6 +62,7 @@ private:
         bool isLimit = false; // where things break: drawn across the bar
     };
     std::vector<Mark> marks() const;
+    void paintBar(QPainter& painter, const QRect& bar) const;
 
     Theme m_theme = Theme::light();
     const ColorMap* m_colors = nullptr;
@@ -70,6 +75,7 @@ private:
     bool m_marksLimit = false; // of margins, at 1
     SpokenScale m_scale;       // of what is shown
     Peak m_peak;
+    ValueRange m_extent{0.0, 0.0}; // of the values, in SI units
 };
 
 } // namespace ripstop

@@ -28,7 +28,8 @@ RangeEditor::RangeEditor(Legend& legend, QWidget* parent)
     m_complaint->setWordWrap(true);
     m_complaint->hide();
     auto* follow = new QPushButton(tr("&Follow the values"));
-    follow->setToolTip(tr("The colours reach as far as the values of the moment."));
+    follow->setToolTip(
+        tr("The colours reach as far as the values of the moment, but for the largest 2 %."));
     auto* take = new QPushButton(tr("&Keep this range"));
     take->setDefault(true);
     auto* form = new QFormLayout(this);

@@ -27,6 +27,8 @@
 namespace ripstop {
 namespace {
 
+constexpr double beyondColors = 0.02; // share of the values that colours need not tell apart
+
 // Leaves out what has no cells. VTK 9.1 may end a measurement of its time that it has not begun,
 // and then says so on the standard error with each picture.
 class EmptyCuller final : public vtkCuller
@@ -126,6 +128,7 @@ void Stage::setColorBy(ColorBy colorBy)
 void Stage::takeRanges(const Stage& other)
 {
     m_range = other.m_range;
+    m_rangeToPeak = other.m_rangeToPeak;
     m_fixedRanges = other.m_fixedRanges;
     m_layersAreOld = true;
 }
@@ -140,6 +143,14 @@ void Stage::forgetRanges()
 void Stage::setFixedRange(std::optional<ValueRange> range)
 {
     m_fixedRanges[std::size_t(m_colorBy)] = range;
+    m_range.reset();
+    m_layersAreOld = true;
+}
+
+void Stage::setRangeToPeak(bool toPeak)
+{
+    m_rangeToPeak = toPeak;
+    m_range.reset();
     m_layersAreOld = true;
 }
 
@@ -240,7 +251,10 @@ ValueRange Stage::range() const
         return {0.0, highestState};
     if (m_colorBy == ColorBy::Grain)
         return fixedRange().value_or(ValueRange{-farthestGrain, farthestGrain});
-    return fixedRange().value_or(m_range.range());
+    ValueRange followed = m_range.range();
+    if (m_colorBy == ColorBy::Margin) // as far as to where things break, at least
+        followed.high = std::max(followed.high, 1.0);
+    return fixedRange().value_or(followed);
 }
 
 const ColorMap& Stage::colors() const
@@ -340,24 +354,9 @@ void Stage::takeBounds()
 
 void Stage::takeRange()
 {
-    const QuantityValues& values = m_values;
     if (isState(m_colorBy) || m_colorBy == ColorBy::Grain)
         return;
-    if (m_colorBy == ColorBy::Margin) { // as far as to where things break, at least
-        std::vector<double> all = values.link;
-        all.insert(all.end(), values.panel.begin(), values.panel.end());
-        all.insert(all.end(), 1 + all.size() / 100, 1.0); // a range lets the largest few go
-        return m_range.take(all, isSigned(m_colorBy));
-    }
-    if (!values.link.empty() && !values.panel.empty()) {
-        std::vector<double> both = values.link;
-        both.insert(both.end(), values.panel.begin(), values.panel.end());
-        return m_range.take(both, isSigned(m_colorBy));
-    }
-    m_range.take(!values.link.empty()    ? values.link
-                 : !values.panel.empty() ? values.panel
-                                         : values.particle,
-                 isSigned(m_colorBy));
+    m_range.take(rangedValues(m_values), isSigned(m_colorBy), m_rangeToPeak ? 0.0 : beyondColors);
 }
 
 bool Stage::somethingBroke() const

@@ -45,9 +45,11 @@ public:
     void show(std::shared_ptr<const Frame> frame);
     void setTheme(const Theme& theme);
     void setColorBy(ColorBy colorBy);
-    void takeRanges(const Stage& other);                 // of the colours, of another view
-    void forgetRanges();                                 // those that were typed for another scene
-    void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
+    void takeRanges(const Stage& other); // of the colours, of another view
+    void forgetRanges();                 // those that were typed for another scene
+    // Of the quantity that is shown; without one it follows the values, from this moment on.
+    void setFixedRange(std::optional<ValueRange> range);
+    void setRangeToPeak(bool toPeak); // lets no value lie beyond what follows; off at first
     void setSelected(std::vector<Id> ids);
     void setSelectionMarked(bool marked); // on at first; trails are left of it in any case
     void setBackdrop(Backdrop backdrop);  // sky and ground at first
@@ -87,7 +89,8 @@ public:
     const Theme& theme() const { return m_theme; }
     ColorBy colorBy() const { return m_colorBy; }
     Peak peak() const { return m_frame ? peakOf(*m_frame, m_values) : Peak{}; }
-    bool isKnown() const { return m_values.isKnown; } // something has that quantity
+    ValueRange extent() const { return extentOf(m_values); } // of the values, not of the colours
+    bool isKnown() const { return m_values.isKnown; }        // something has that quantity
     ValueRange range() const;
     const ColorMap& colors() const;
 
@@ -144,6 +147,7 @@ private:
     ColorBy m_colorBy = ColorBy::Material;
     QuantityValues m_values;
     SteadyRange m_range;
+    bool m_rangeToPeak = false;
     std::array<std::optional<ValueRange>, colorByCount> m_fixedRanges;
     std::vector<Id> m_selected;
     bool m_selectionMarked = true;

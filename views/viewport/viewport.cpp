@@ -90,7 +90,8 @@ void Viewport::Private::prepare()
     const bool wasHidden = legend.isHidden();
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
     if (!legend.isHidden())
-        legend.setPeak(stage.isKnown() ? std::optional(stage.peak()) : std::nullopt);
+        legend.setPeak(stage.isKnown() ? std::optional(stage.peak()) : std::nullopt,
+                       stage.extent());
     place();
     if (untouched && legend.isHidden() != wasHidden) { // it has come over the design, or gone
         fitNow();

@@ -59,6 +59,7 @@ public:
 
     // In the unit of the quantity (strain: 1). Without one the range follows the values.
     void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
+    void setRangeToPeak(bool toPeak);                    // else 2 % may lie beyond; off at first
     void editRange();                                    // asks for a range, beside the legend
     ValueRange range() const;                            // what the colours mean now
     const Legend& legend() const;

@@ -63,6 +63,11 @@ void Viewport::setProbesShown(bool shown)
     d->draw([&] { d->labels.setWanted(shown); });
 }
 
+void Viewport::setRangeToPeak(bool toPeak)
+{
+    d->draw([&] { d->stage.setRangeToPeak(toPeak); });
+}
+
 void Viewport::setVectors(Vectors vectors)
 {
     d->draw([&] { d->stage.setVectors(vectors); });
