@@ -225,9 +225,12 @@ void BuilderDialog::showParameters()
     layout->setContentsMargins(0, 0, 0, 0);
     keepTyped();
     m_form = new ParameterForm(builder.parameters);
-    m_form->setValues(typedFor(builder));
+    fillForm();
     layout->addWidget(m_form);
-    connect(m_form, &ParameterForm::changed, this, &BuilderDialog::buildSoon);
+    connect(m_form, &ParameterForm::changed, this, [this] {
+        followCloth();
+        buildSoon();
+    });
     m_table = nullptr;
     if (builder.table) {
         m_table = new QPlainTextEdit;
@@ -256,18 +259,48 @@ void BuilderDialog::showParameters()
 void BuilderDialog::keepTyped()
 {
     if (m_shown)
-        m_typed[m_shown] = {m_form->values(), m_table ? m_table->toPlainText() : QString()};
+        m_typed[m_shown] = {m_form->values(), m_form->said(),
+                            m_table ? m_table->toPlainText() : QString()};
 }
 
 // What was typed for this design before, or else what of the one before it means the same here.
-Parameters BuilderDialog::typedFor(const Builder& builder) const
+void BuilderDialog::fillForm()
 {
+    const Builder& builder = chosen();
     const auto before = m_typed.find(&builder);
-    if (before == m_typed.end())
-        return m_shown ? takenOver(*m_shown, m_typed.at(m_shown).values, builder) : Parameters();
-    Parameters typed = before->second.values;
-    std::erase_if(typed, [](const auto& value) { return !std::isfinite(value.second); });
-    return typed;
+    if (before == m_typed.end()) {
+        if (m_shown)
+            m_form->say(takenOver(*m_shown, m_typed.at(m_shown).values, builder));
+        return;
+    }
+    const auto isUnread = [](const auto& value) { return !std::isfinite(value.second); };
+    Typed typed = before->second;
+    std::erase_if(typed.values, isUnread);
+    std::erase_if(typed.said, isUnread);
+    m_form->setValues(typed.values);
+    m_form->say(typed.said);
+}
+
+bool BuilderDialog::clothIsIdeal() const
+{
+    const Parameters values = m_form->values();
+    const auto cloth = values.find("cloth");
+    return cloth != values.end() && cloth->second == 0.0;
+}
+
+// Whoever makes the cloth of a new design ideal wants that of the papers, and whoever makes it real
+// again what is offered beside real cloth, as on the command line. What they have set themselves
+// stays. A part that is built again keeps what it has.
+void BuilderDialog::followCloth()
+{
+    if (m_scene || clothIsIdeal() == m_clothIsIdeal)
+        return;
+    m_clothIsIdeal = clothIsIdeal();
+    const Parameters said = m_form->said();
+    Parameters all = newDesign(chosen(), said);
+    all.merge(unsaid(chosen()));
+    std::erase_if(all, [&](const auto& value) { return said.contains(value.first); });
+    m_form->setValues(all);
 }
 
 // Fills the form with what the part was built with.
@@ -342,6 +375,7 @@ void BuilderDialog::post()
 {
     m_delay.stop();
     m_outcome.reset();
+    m_clothIsIdeal = clothIsIdeal();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     const int number = ++m_number; // outcomes of older numbers are dropped
     if (std::optional<BuildJob> wanted = job()) {

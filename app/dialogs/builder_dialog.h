@@ -79,7 +79,9 @@ private:
     void layOut();
     void showParameters(); // of the chosen builder
     void keepTyped();
-    Parameters typedFor(const Builder& builder) const;
+    void fillForm(); // with what was typed before
+    bool clothIsIdeal() const;
+    void followCloth(); // with what is offered beside it
     void showValuesOf(const Part& part);
     void restoreDefaults();
     void buildSoon();
@@ -101,10 +103,12 @@ private:
     struct Typed
     {
         Parameters values;
+        Parameters said; // of those, by the person
         QString table;
     };
     std::map<const Builder*, Typed> m_typed; // until the dialog closes
     const Builder* m_shown = nullptr;        // by the form
+    bool m_clothIsIdeal = false;             // in the form, at the last look
     QCheckBox* m_show;
     QLabel* m_figures;
     Complaint* m_lost; // what would go of the work of hands

@@ -57,7 +57,11 @@ private slots:
         QVERIFY(!isShown("fabric") && !isShown("frame_mass") && !isShown("line_density"));
         QVERIFY(!isShown("keel"));
         QVERIFY(fold->text().startsWith("6 more"));
+        auto* spars = dialog.findChild<QWidget*>("spars")->findChild<QComboBox*>();
+        const int tubes = spars->currentIndex();
         cloth->setCurrentIndex(0);
+        QVERIFY(isShown("frame_mass")); // spars have become ideal as well
+        spars->setCurrentIndex(tubes);
         QVERIFY(isShown("fabric") && isShown("keel") && !isShown("keel_length"));
         QCOMPARE(numberOf(dialog, "fabric")->text(), QStringLiteral("0.045"));
         fold->click();
@@ -229,6 +233,47 @@ private slots:
         forEachPart(dialog.scene(),
                     [&](Id, const Part& part) { particles += part.particles.size(); });
         QCOMPARE(particles, std::size_t(152)); // validation 1.5
+    }
+
+    // Ideal cloth, chosen in its box alone, brings what goes with it, as cloth=ideal does in a
+    // terminal: spars and line, the dihedral and the depth of the keel that the paper has. What a
+    // person has set stays, both ways.
+    void idealClothAloneBringsTheDesignOfThePapers()
+    {
+        BuilderDialog dialog(QStringLiteral("delta_kite"));
+        const auto boxOf = [&](const char* key) {
+            return dialog.findChild<QWidget*>(key)->findChild<QComboBox*>();
+        };
+        QCOMPARE(numberOf(dialog, "dihedral")->text(), QString("7"));
+        boxOf("cloth")->setCurrentIndex(0);
+        QCOMPARE(boxOf("spars")->currentIndex(), 0);
+        QCOMPARE(boxOf("cord")->currentIndex(), 0);
+        QCOMPARE(numberOf(dialog, "dihedral")->text(), QString("8"));
+        QCOMPARE(numberOf(dialog, "keel_depth")->text(), QString("0.4"));
+        QTRY_VERIFY(okOf(dialog)->isEnabled());
+        QVERIFY(dialog.findChild<QLabel*>("counts")->text().contains("152 particles"));
+
+        typeInto(numberOf(dialog, "keel_depth"), "0.45");
+        boxOf("cloth")->setCurrentIndex(2);
+        QCOMPARE(numberOf(dialog, "dihedral")->text(), QString("7"));
+        QCOMPARE(numberOf(dialog, "keel_depth")->text(), QString("0.45"));
+        QVERIFY(boxOf("spars")->currentIndex() > 0);
+        QCOMPARE(boxOf("cloth")->currentIndex(), 2);
+        boxOf("cloth")->setCurrentIndex(0);
+        QCOMPARE(numberOf(dialog, "keel_depth")->text(), QString("0.45"));
+    }
+
+    // A part that is built again keeps its numbers: nobody knows which of them were typed.
+    void aPartKeepsItsNumbersBesideIdealCloth()
+    {
+        const Builder& kite = *findBuilder("delta_kite");
+        Shop shop(*build(kite, newDesign(kite, {})));
+        shop.selection.set({shop.part(0)});
+        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            dialog.findChild<QWidget*>("cloth")->findChild<QComboBox*>()->setCurrentIndex(0);
+            QCOMPARE(numberOf(dialog, "dihedral")->text(), QString("7"));
+        });
     }
 
     // A new design is of real materials; one of a file that does not say what it is made of, not.

@@ -81,7 +81,8 @@ void ParameterForm::addGroup(const Rows& rows)
         m_form->addRow(label, field);
         group.fields.push_back(field);
         m_fields.push_back(field);
-        connect(field, &ParameterField::changed, this, [this] {
+        connect(field, &ParameterField::changed, this, [this, key = parameter->key] {
+            m_said.insert(key);
             showWhatCounts();
             emit changed();
         });
@@ -150,9 +151,26 @@ void ParameterForm::setValues(const Parameters& values)
     const QSignalBlocker quiet(this); // the caller knows that the values have changed
     for (ParameterField* field : m_fields)
         if (const auto found = values.find(std::string(field->parameter().key));
-            found != values.end())
+            found != values.end()) {
             field->setValue(found->second);
+            m_said.erase(field->parameter().key);
+        }
     showWhatCounts();
+}
+
+Parameters ParameterForm::said() const
+{
+    Parameters said = values();
+    std::erase_if(said, [this](const auto& value) { return !m_said.contains(value.first); });
+    return said;
+}
+
+void ParameterForm::say(const Parameters& values)
+{
+    setValues(values);
+    for (const ParameterField* field : m_fields)
+        if (values.contains(std::string(field->parameter().key)))
+            m_said.insert(field->parameter().key);
 }
 
 void ParameterForm::restoreDefaults()
@@ -160,6 +178,7 @@ void ParameterForm::restoreDefaults()
     const QSignalBlocker quiet(this);
     for (ParameterField* field : m_fields)
         field->setValue(field->parameter().atFirst());
+    m_said.clear();
     showWhatCounts();
 }
 

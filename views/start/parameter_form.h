@@ -8,6 +8,7 @@
 
 #include <QWidget>
 
+#include <set>
 #include <vector>
 
 class QFormLayout;
@@ -28,7 +29,12 @@ public:
     Parameters values() const;
     QString refusal() const; // of the first field whose value cannot be taken; empty when all can
     void setValues(const Parameters& values); // fields left out keep their values
-    void restoreDefaults();
+    void restoreDefaults();                   // nothing is said any more
+
+    // What a person has set in this form, or what say() has set as theirs; setValues() takes over
+    // what it sets.
+    Parameters said() const;
+    void say(const Parameters& values);
 
 protected:
     // Enter in a field has taken its number, and is not for the buttons of a dialog.
@@ -53,6 +59,7 @@ private:
     std::vector<Group> m_groups;
     std::vector<ParameterField*> m_fields; // of all groups
     FoldButton* m_idle;
+    std::set<std::string_view> m_said; // keys
 };
 
 } // namespace ripstop
