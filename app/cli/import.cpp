@@ -132,6 +132,15 @@ std::string sizeText(const Vec3& size)
            + " m";
 }
 
+// Empty where the mesh has faces only.
+std::string linesText(const MeshLines& lines)
+{
+    if (lines.count == 0)
+        return {};
+    return std::to_string(lines.count) + (lines.count == 1 ? " line of " : " lines of ")
+           + shortNumber(lines.length) + (lines.count == 1 ? " m, " : " m together, ");
+}
+
 std::string_view gravityName(MeshGravity gravity)
 {
     constexpr std::array<std::string_view, 3> names{"note", "repaired", "warning"};
@@ -154,8 +163,10 @@ Json jsonOf(const std::string& file, const PreparedMesh& mesh, const MeshImport&
     Json pictures = Json::array();
     for (const PolygonMesh::PackedPicture& picture : made.pictures)
         pictures.push_back(picture.file);
+    const MeshLines lines = linesOf(mesh);
     return {{"file", file},
             {"size", numbersOf(mesh.size)},
+            {"lines", {{"count", lines.count}, {"length", lines.length}}},
             {"weld_tolerance", mesh.weldTolerance},
             {"parts", made.parts.size()},
             {"particles", made.particles},
@@ -172,9 +183,10 @@ Json jsonOf(const std::string& file, const PreparedMesh& mesh, const MeshImport&
 void describe(const std::string& file, const PreparedMesh& mesh, const MeshImport& made)
 {
     std::cout << file << ": " << sizeText(mesh.size) << " (width, height, depth), "
-              << made.parts.size() << (made.parts.size() == 1 ? " part, " : " parts, ")
-              << made.particles << " particles, " << made.springs << " springs, " << made.rods
-              << " rods, " << made.panels << " panels, " << shortNumber(made.area) << " m^2, "
+              << linesText(linesOf(mesh)) << made.parts.size()
+              << (made.parts.size() == 1 ? " part, " : " parts, ") << made.particles
+              << " particles, " << made.springs << " springs, " << made.rods << " rods, "
+              << made.panels << " panels, " << shortNumber(made.area) << " m^2, "
               << shortNumber(made.mass) << " kg\n";
     for (const PolygonMesh::PackedPicture& picture : made.pictures)
         std::cout << "  note: a picture that lies within the mesh's file is " << picture.file

@@ -319,6 +319,22 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
     return result;
 }
 
+MeshLines linesOf(const PreparedMesh& mesh)
+{
+    MeshLines lines;
+    for (const RepairedMesh& surface : mesh.surfaces) {
+        std::set<std::pair<int, int>> seen; // one that is told twice is one link
+        for (const auto& [a, b] : surface.mesh.lines) {
+            if (!seen.insert(std::minmax(a, b)).second)
+                continue;
+            const std::vector<Vec3>& points = surface.mesh.points;
+            lines.length += (points[std::size_t(b)] - points[std::size_t(a)]).norm();
+            ++lines.count;
+        }
+    }
+    return lines;
+}
+
 Material materialFrom(const Preset& preset)
 {
     Material material;

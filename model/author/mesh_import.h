@@ -48,6 +48,15 @@ struct PreparedMesh
     std::vector<PolygonMesh::PackedPicture> pictures; // that lie within the mesh's file
 };
 
+// Lines beside the faces, as a bridle is drawn. They are told beside the size, which is that of the
+// fabric: a kite is as wide with a line of 25 m as without.
+struct MeshLines
+{
+    std::size_t count = 0;
+    double length = 0.0; // m, of all together
+};
+MeshLines linesOf(const PreparedMesh& mesh);
+
 // The file's own unit and axis win over those of `shape`.
 Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
                               const Progress& progress = {});

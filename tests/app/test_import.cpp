@@ -420,6 +420,11 @@ private slots:
         QCOMPARE(dialog.findChild<QLabel*>("resultingSize")->text(),
                  spaced("1 m wide, 1 m high, 0 m deep")
                      + QStringLiteral(" \u00b7 2 lines, 4\u00a0m long together"));
+        // in a longer language the sentence breaks, and the dialog stays as narrow
+        const int narrowest = dialog.minimumSizeHint().width();
+        auto* size = dialog.findChild<QLabel*>("resultingSize");
+        size->setText(size->text() + QStringLiteral(" and so on").repeated(20));
+        QCOMPARE(dialog.minimumSizeHint().width(), narrowest);
     }
 };
 

@@ -5,6 +5,7 @@
 // and its undo, refusals, cancelling, and the time for a large mesh. What carries the pull by
 // default is in test_mesh_carrier.cpp.
 #include "check/check.h"
+#include "model/cli_call.h"
 #include "model/meshes.h"
 #include "registered_test.h"
 #include "shapes/mesh_file.h"
@@ -90,6 +91,24 @@ private slots:
         QVERIFY(std::abs(widths - 3.0 * 6.0) < 1e-9);
     }
 
+    // What the window says beside the size of the fabric, the command line does: a bridle of 1 m up
+    // and 3 m to the right beside a square of 1 m.
+    void commandLineTellsOfLines()
+    {
+        const QString mesh = write("bridle.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\n"
+                                                 "v 3 2 0\nf 1 2 3 4\nl 4 5 6\n");
+        const QString scene = m_folder.filePath("bridle.ripstop.json");
+        const Outcome made = call({"import", mesh, "-o", scene});
+        QVERIFY(made.out.contains("1 x 1 x 0 m (width, height, depth), 2 lines of 4 m together, "));
+        const QJsonObject first = call({"import", mesh, "--json", "-o", scene})
+                                      .json()["meshes"]
+                                      .toArray()
+                                      .first()
+                                      .toObject();
+        QCOMPARE(first["lines"].toObject()["count"].toInt(), 2);
+        QCOMPARE(first["lines"].toObject()["length"].toDouble(), 4.0);
+    }
+
     // Lines of the file: the legs of a bridle and the line below it, drawn as an object of their
     // own whose ends lie on corners of the sail, and a spreader between two corners that no face
     // has. They become links that pull only, 1 g/m; a line along the edge of a face is a thread
@@ -104,6 +123,9 @@ private slots:
         QCOMPARE(read.strayElements, 2u); // l 1 2, and the point
         const PreparedMesh mesh = preparedOf(read);
         QCOMPARE(mesh.report.count(MeshFault::StrayElements), 3u); // l 7 8 lies on an edge as well
+        QCOMPARE(linesOf(mesh).count, 4u); // two legs, the line, the spreader
+        QVERIFY(std::abs(linesOf(mesh).length - (2.0 * std::hypot(0.5, 2.0) + 3.0 + 2.0)) < 1e-12);
+        QCOMPARE(mesh.size, Vec3(2.0, 1.0, 0.0)); // of the sail alone
         for (const FabricKind carrier : {FabricKind::Threads, FabricKind::Panels}) {
             MeshFabric fabric = plainFabric(0.5);
             fabric.material.membraneStiffness = 1e4;
@@ -137,6 +159,7 @@ private slots:
         const PreparedMesh pieces = preparedOf(read, apart);
         QCOMPARE(pieces.surfaces.size(), 1u);
         QVERIFY(pieces.surfaces[0].mesh.lines.empty());
+        QCOMPARE(linesOf(pieces).count, 0u);
         QCOMPARE(pieces.report.count(MeshFault::StrayElements), 2u + 6u);
     }
 

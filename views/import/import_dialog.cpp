@@ -37,18 +37,10 @@ namespace {
 constexpr int patience = 150;   // ms after the last change
 constexpr int watchEvery = 100; // ms
 
-// Empty where the mesh has faces only. Lines are beside the size, which is that of the fabric: a
-// kite is as wide with a line of 25 m as without.
+// Empty where the mesh has faces only.
 QString linesText(const PreparedMesh& mesh)
 {
-    std::size_t count = 0;
-    double length = 0.0; // m
-    for (const RepairedMesh& surface : mesh.surfaces)
-        for (const auto& [a, b] : surface.mesh.lines) {
-            const std::vector<Vec3>& points = surface.mesh.points;
-            length += (points[std::size_t(b)] - points[std::size_t(a)]).norm();
-            ++count;
-        }
+    const auto [count, length] = linesOf(mesh);
     if (count == 0)
         return {};
     return count == 1 ? ImportDialog::tr("1 line, %1 long").arg(spokenText(length, "m"))
@@ -204,6 +196,7 @@ QWidget* ImportDialog::filePlace()
 void ImportDialog::layOut()
 {
     m_size->setObjectName(QStringLiteral("resultingSize"));
+    m_size->setWordWrap(true); // lines make it longer than the preview is wide
     m_counts->setTextFormat(Qt::PlainText);
     m_counts->setObjectName(QStringLiteral("counts"));
     m_counts->setWordWrap(true);
