@@ -41,7 +41,15 @@ private slots:
         StudyShop shop;
         QVERIFY(shop.window.docks().show("study"));
         QVERIFY(!shop.panel.view().isVisible());
-        QVERIFY(shop.button("Open a study…").isVisible());
+        QPushButton& open = shop.button("Open a study…");
+        QVERIFY(open.isVisible());
+        // in a low panel it is scrolled to, not cut
+        shop.panel.parentWidget()->resize(shop.panel.width(), 90);
+        auto* area =
+            qobject_cast<QScrollArea*>(open.parentWidget()->parentWidget()->parentWidget());
+        QVERIFY(area);
+        const QWidget* page = area->widget();
+        QVERIFY(page->height() >= page->heightForWidth(page->width()));
     }
 
     // The menu of a property's name in the inspector has it; it brings the panel forward.

@@ -158,7 +158,11 @@ QWidget* StudyPanel::emptyPage()
     layout->addWidget(text);
     layout->addWidget(open, 0, Qt::AlignHCenter);
     layout->addStretch();
-    return page;
+    auto* scrolled = new QScrollArea; // in a low dock
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setWidget(page);
+    return scrolled;
 }
 
 QWidget* StudyPanel::formSide()
