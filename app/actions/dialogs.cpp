@@ -2,6 +2,7 @@
 #include "actions/dialogs.h"
 
 #include "actions/keys_dialog.h"
+#include "actions/menu_row.h"
 #include "actions/palette.h"
 #include "actions/preferences_dialog.h"
 #include "dialogs/certify_dialog.h"
@@ -16,13 +17,17 @@
 #include "document/document.h"
 #include "document/recordings.h"
 #include "document/selection.h"
+#include "inspector/inspector.h"
 #include "inspector/material_test_dialog.h"
+#include "plots/plot_panel.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
 #include <QMainWindow>
+#include <QMenu>
 #include <QMenuBar>
 
+#include <memory>
 #include <utility>
 
 namespace ripstop {
@@ -81,9 +86,20 @@ void Dialogs::showKeys(KeyMap& keys) { KeysDialog(keys, m_document.scene(), &m_w
 // a panel wants to see it, also where it stands open behind others.
 void Dialogs::showPalette(const Docks& docks)
 {
-    Palette palette(*m_window.menuBar(), &m_window);
-    if (palette.exec() == QDialog::Accepted && !docks.showToggled(*palette.chosen()))
-        QMetaObject::invokeMethod(palette.chosen(), &QAction::trigger, Qt::QueuedConnection);
+    const std::shared_ptr<const QMenu> plots = docks.panel<PlotPanel>().contextMenu();
+    Palette palette(
+        *m_window.menuBar(),
+        {{plots.get(), tr("Plots"), QStringLiteral("plots")},
+         {docks.panel<Inspector>().presetMenu(), tr("Preset"), QStringLiteral("inspector")}},
+        &m_window);
+    if (palette.exec() != QDialog::Accepted || docks.showToggled(*palette.chosen()))
+        return;
+    if (!palette.dock().isEmpty())
+        docks.show(palette.dock());
+    // the menu of plots lives until its action has run
+    QMetaObject::invokeMethod(
+        palette.chosen(), [plots, action = palette.chosen()] { action->trigger(); },
+        Qt::QueuedConnection);
 }
 
 void Dialogs::showPreferences(const Actions& actions, RunFiles& runFiles)

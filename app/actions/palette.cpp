@@ -21,11 +21,15 @@ namespace ripstop {
 namespace {
 
 constexpr int commandRole = Qt::UserRole;
+constexpr int dockRole = Qt::UserRole + 1;
 
-QString plain(QString text)
+// Without what stands in the column of keys.
+QString plain(const QString& text) { return text.section('\t', 0, 0).remove('&'); }
+
+// Actions of panels have theirs where the mouse shows it.
+QString tipOf(const QAction& action)
 {
-    text.remove('&');
-    return text;
+    return action.statusTip().isEmpty() ? action.toolTip() : action.statusTip();
 }
 
 bool beginsAWord(const QString& text, const QString& word)
@@ -36,18 +40,22 @@ bool beginsAWord(const QString& text, const QString& word)
 
 } // namespace
 
-Palette::Palette(const QMenuBar& menus, QWidget* parent)
+Palette::Palette(const QMenuBar& menus, const QList<PanelMenu>& others, QWidget* parent)
     : QDialog(parent)
     , m_typed(new QLineEdit)
     , m_list(new QTreeWidget)
     , m_none(
           new QLabel(tr("No action has all of these words in its name, its menu or its help. Try "
-                        "fewer words, or others.")))
+                        "fewer words, or others. Presets of materials are found while a material "
+                        "is selected.")))
 {
     setWindowTitle(tr("Find an action"));
     for (const QAction* title : menus.actions())
         if (title->menu())
             collect(*title->menu(), plain(title->text()));
+    for (const PanelMenu& other : others)
+        if (other.menu)
+            collect(*other.menu, other.title, other.dock);
 
     m_typed->setPlaceholderText(tr("Type what you want to do: mirror, pin, wind…"));
     m_typed->setAccessibleName(m_typed->placeholderText());
@@ -88,6 +96,12 @@ QAction* Palette::chosen() const
     return action && action->isEnabled() ? action : nullptr;
 }
 
+QString Palette::dock() const
+{
+    const QTreeWidgetItem* row = m_list->currentItem();
+    return row ? row->data(0, dockRole).toString() : QString();
+}
+
 int Palette::fit(const QString& typed, const QString& name, const QString& menu, const QString& tip)
 {
     int sum = 1;
@@ -108,13 +122,14 @@ int Palette::fit(const QString& typed, const QString& name, const QString& menu,
     return sum;
 }
 
-void Palette::collect(const QMenu& menu, const QString& path)
+void Palette::collect(const QMenu& menu, const QString& path, const QString& dock)
 {
     for (QAction* action : menu.actions()) {
         if (action->menu())
-            collect(*action->menu(), QStringLiteral("%1 › %2").arg(path, plain(action->text())));
+            collect(*action->menu(), QStringLiteral("%1 › %2").arg(path, plain(action->text())),
+                    dock);
         else if (!action->isSeparator() && action->isVisible())
-            m_entries << Entry{action, plain(action->text()), path};
+            m_entries << Entry{action, plain(action->text()), path, dock};
     }
 }
 
@@ -122,8 +137,7 @@ void Palette::fill()
 {
     QList<std::pair<int, const Entry*>> fitting;
     for (const Entry& entry : m_entries)
-        if (const int fits =
-                fit(m_typed->text(), entry.name, entry.menu, entry.action->statusTip()))
+        if (const int fits = fit(m_typed->text(), entry.name, entry.menu, tipOf(*entry.action)))
             fitting << std::pair{fits, &entry};
     std::ranges::stable_sort(fitting, [](const auto& a, const auto& b) {
         const bool aRuns = a.second->action->isEnabled();
@@ -139,9 +153,10 @@ void Palette::fill()
             new QTreeWidgetItem(m_list, {entry->name, entry->menu,
                                          action.shortcut().toString(QKeySequence::NativeText)});
         row->setIcon(0, action.icon());
-        row->setToolTip(0, action.isEnabled() || action.whatsThis().isEmpty() ? action.statusTip()
+        row->setToolTip(0, action.isEnabled() || action.whatsThis().isEmpty() ? tipOf(action)
                                                                               : action.whatsThis());
         row->setData(0, commandRole, QVariant::fromValue(entry->action));
+        row->setData(0, dockRole, entry->dock);
         row->setForeground(1, palette().placeholderText());
         if (!action.isEnabled())
             row->setForeground(0, palette().brush(QPalette::Disabled, QPalette::Text));

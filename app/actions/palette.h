@@ -1,4 +1,4 @@
-// The dialog that finds any action of the menus by what is typed.
+// The dialog that finds any action of the menus by what is typed, those of panels included.
 //
 // It lists what the menus hold at the moment when it is made, best match first, and only chooses:
 // the caller runs the action after the dialog has closed, as if it came from its menu.
@@ -22,9 +22,18 @@ class Palette final : public QDialog
     Q_OBJECT
 
 public:
-    Palette(const QMenuBar& menus, QWidget* parent);
+    // A menu that a panel opens, and the dock where what it does is seen.
+    struct PanelMenu
+    {
+        const QMenu* menu; // null while the panel has none
+        QString title;
+        QString dock;
+    };
+
+    Palette(const QMenuBar& menus, const QList<PanelMenu>& others, QWidget* parent);
 
     QAction* chosen() const; // null when there is none, or it cannot be run now
+    QString dock() const;    // where what is chosen is seen; empty when it stands in the menu bar
 
     // How well an action answers what was typed: 0 not at all. Each word has to occur somewhere; a
     // word of the name counts more than one of its menu or its tip, a beginning more than a middle.
@@ -40,9 +49,10 @@ private:
         QAction* action;
         QString name;
         QString menu; // "View › Panels and docks"
+        QString dock;
     };
 
-    void collect(const QMenu& menu, const QString& path);
+    void collect(const QMenu& menu, const QString& path, const QString& dock = {});
     void fill();
 
     QList<Entry> m_entries;

@@ -204,6 +204,47 @@ private slots:
         }
     }
 
+    // Menus that only a right click or a button of a panel opens are found as well: those of plots,
+    // and the presets while there is a material that they could be given to.
+    void paletteFindsWhatPanelsOpen()
+    {
+        Editor editor;
+        QVERIFY(editor.window.files().open(samples + "cloth.ripstop.json"));
+        const auto enter = [&](const char* words) {
+            inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
+                auto* typed = palette.findChild<QLineEdit*>();
+                QTest::keyClicks(typed, words);
+                QTest::keyClick(typed, Qt::Key_Return);
+            });
+        };
+        const auto plots = [&] {
+            return std::ranges::count_if(editor.document.scene().items, [](const Entry& entry) {
+                return std::holds_alternative<Plot>(entry.item);
+            });
+        };
+        QCOMPARE(plots(), 0);
+        editor.window.docks().show("loads"); // before the plots
+        enter("add a plot");
+        QTRY_COMPARE(plots(), 2); // the one that was shown, and the new one
+        auto* dock = editor.window.findChild<QDockWidget*>("plots");
+        QTRY_VERIFY(!dock->widget()->visibleRegion().isEmpty());
+
+        inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
+            palette.findChild<QLineEdit*>()->setText("skytex 27");
+            QVERIFY(!palette.chosen());
+        });
+        const auto& items = editor.document.scene().items;
+        const Id material = std::ranges::find_if(items, [](const Entry& entry) {
+                                return std::holds_alternative<Material>(entry.item);
+                            })->id;
+        editor.selection.set({material});
+        enter("skytex 27");
+        const auto massNow = [&] {
+            return findItem<Material>(editor.document.scene(), material)->arealDensity.value_or(0);
+        };
+        QTRY_COMPARE(massNow(), 0.027); // kg/m^2, as its name says
+    }
+
     // What is grey says what it needs, in the menu where the mouse rests and in the palette.
     void greyActionsSayWhatTheyNeed()
     {

@@ -223,6 +223,11 @@ QWidget* Inspector::underPresets(PropertyForm* form)
     return both;
 }
 
+QMenu* Inspector::presetMenu()
+{
+    return m_presets && m_subject.kind() == Kind::Material ? &m_presets->menu() : nullptr;
+}
+
 void Inspector::refresh()
 {
     const auto exists = [this](Id id) { return ripstop::find(m_document.scene(), id).has_value(); };

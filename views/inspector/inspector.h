@@ -17,6 +17,7 @@
 
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QStackedWidget;
 class QTabBar;
 
@@ -41,7 +42,8 @@ public:
     QWidget* field(std::string_view key, int axis = 0) const;
 
     SliderShelf& sliders() { return m_sliders; }
-    void startSearch(); // the keyboard goes to the search of properties
+    void startSearch();  // the keyboard goes to the search of properties
+    QMenu* presetMenu(); // null while no materials are shown
 
 private:
     void changeEvent(QEvent* event) override;

@@ -203,6 +203,12 @@ void PresetChooser::fillMenu()
         shownAsIs(m_own.problem ? translated(m_own.problem->message) : QString()));
 }
 
+QMenu& PresetChooser::menu()
+{
+    readOwnAgain();
+    return *m_menu;
+}
+
 const Preset* PresetChooser::chosen() const
 {
     const Preset* common = nullptr;

@@ -44,6 +44,7 @@ public:
     void fromTest();              // asks for a file of force and elongation
     void showSources();           // of the chosen preset, or hides them
     void readOwnAgain();          // the file may have changed
+    QMenu& menu();                // of all presets, as it is when it opens
 
 private:
     QWidget* makeSteps();
