@@ -90,6 +90,19 @@ private slots:
         QCOMPARE(range.range().high, 2.0);
     }
 
+    // A slow machine shows few frames; two seconds of the run are as long for it.
+    void isCalmForTwoSeconds()
+    {
+        SteadyRange range;
+        range.take(std::vector{9.0}, false);
+        for (int frame = 0; frame < 19; ++frame) // 10 frames a second
+            range.take(std::vector{1.4}, false, SteadyRange::fewest, 0.1);
+        QCOMPARE(range.range().high, 10.0);
+        for (int frame = 0; frame < 3; ++frame)
+            range.take(std::vector{1.4}, false, SteadyRange::fewest, 0.1);
+        QCOMPARE(range.range().high, 1.5);
+    }
+
     // Noise of a network at rest is nothing to paint.
     void ignoresNoise()
     {

@@ -9,7 +9,8 @@ namespace ripstop {
 namespace {
 
 constexpr double far = 0.6;         // values below this share of the range ask for a smaller one
-constexpr int patience = 120;       // frames, about 2 s
+constexpr double patience = 120.0;  // frames
+constexpr double frameRate = 60.0;  // 1/s, of a quick machine
 constexpr double negligible = 1e-9; // rounding noise of a network at rest, in any unit
 constexpr double pressed = 0.1;     // share of the bound below zero that counts as compression
 
@@ -44,7 +45,8 @@ double boundOf(double value)
 
 double roundedUp(double value) { return roundedUp(value, std::array{1.0, 2.0, 5.0}); }
 
-void SteadyRange::take(std::span<const double> values, bool mayBeNegative, double beyond)
+void SteadyRange::take(std::span<const double> values, bool mayBeNegative, double beyond,
+                       double elapsed)
 {
     m_scratch.clear();
     for (const double value : values)
@@ -65,12 +67,12 @@ void SteadyRange::take(std::span<const double> values, bool mayBeNegative, doubl
     const double reach = m_symmetric ? needed : top;
     if (reach > m_bound) {
         m_bound = boundOf(reach);
-        m_calm = 0;
+        m_calm = 0.0;
     } else if (reach > far * m_bound) {
-        m_calm = 0;
-    } else if (++m_calm > patience) {
+        m_calm = 0.0;
+    } else if (m_calm += std::max(1.0, frameRate * elapsed); m_calm > patience) {
         m_bound = boundOf(reach);
-        m_calm = 0;
+        m_calm = 0.0;
     }
 }
 

@@ -1,9 +1,11 @@
 // A range of colours that follows the values without flicker.
 //
 // Its ends are short numbers, at most half again as far as the values go. It widens at once when
-// values leave it, and narrows only after they have stayed far inside for 120 frames, about two
-// seconds. Of many values the largest few are let go: a panel where a bridle pulls, or a link about
-// to tear, would otherwise paint all others alike. Arrows take their scale from such a range, too.
+// values leave it, and narrows only after they have stayed far inside for two seconds of the run or
+// 120 frames, which are two seconds of a quick machine; a slow one, or a slow motion, shows fewer
+// or more of them. Of many values the largest few are let go: a panel where a bridle pulls, or a
+// link about to tear, would otherwise paint all others alike. Arrows take their scale from such a
+// range, too.
 #pragma once
 
 #include <span>
@@ -27,8 +29,10 @@ public:
     // Takes in the values of one frame. `mayBeNegative` makes the range symmetric about zero once
     // a good part of the values is below it, and keeps it so. `beyond` is the share of the values
     // that may lie beyond an end; 0 takes in the largest. Zeros do not count there, as most are of
-    // elements that do not have the quantity.
-    void take(std::span<const double> values, bool mayBeNegative, double beyond = fewest);
+    // elements that do not have the quantity. `elapsed` is the time of the run since the last
+    // frame, s.
+    void take(std::span<const double> values, bool mayBeNegative, double beyond = fewest,
+              double elapsed = 0.0);
 
     ValueRange range() const;
     void reset() { *this = {}; }
@@ -36,7 +40,7 @@ public:
 private:
     std::vector<double> m_scratch;
     double m_bound = 0.0; // 0 before any value
-    int m_calm = 0;       // frames since the values last filled the range
+    double m_calm = 0.0;  // frames since the values last filled the range
     bool m_symmetric = false;
 };
 

@@ -356,7 +356,8 @@ void Stage::takeRange()
 {
     if (isState(m_colorBy) || m_colorBy == ColorBy::Grain)
         return;
-    m_range.take(rangedValues(m_values), isSigned(m_colorBy), m_rangeToPeak ? 0.0 : beyondColors);
+    m_range.take(rangedValues(m_values), isSigned(m_colorBy), m_rangeToPeak ? 0.0 : beyondColors,
+                 m_drawn ? m_frame->time - m_drawn->time : 0.0);
 }
 
 bool Stage::somethingBroke() const
