@@ -152,6 +152,23 @@ private slots:
         QVERIFY(tall > 1.75 && tall < 2.3); // with risers above and toes below
     }
 
+    // Who has come down stands on the ground, and does not hang below it, as tall as ever.
+    void whoHasLandedStands()
+    {
+        const Scene scene = built("parachute");
+        const double height = Seen(scene).held().y(); // m over the ground
+        for (const double left : {1.5, 0.5, 0.0}) {
+            Seen seen(scene);
+            Frame low = *seen.frame;
+            for (Vec3& place : low.position)
+                place.y() += left - height;
+            seen.frame = std::make_shared<const Frame>(low);
+            QVERIFY(std::abs(lowest(seen.limbs(), Vec3::UnitY())) < 0.02);
+            const double tall = extent(seen.limbs(), Vec3::UnitY());
+            QVERIFY(tall > 1.7 && tall < 1.8);
+        }
+    }
+
     // A load that is too light, a weight on a rope, corners of a cloth that are moved.
     void othersHaveNobody_data()
     {

@@ -229,9 +229,29 @@ std::vector<Limb> prone(const Person& person, const Frame& frame)
     return body.limbs;
 }
 
-std::vector<Limb> upright(const Person& person, const Frame& frame)
+// Who has come down stands where the weight lies, the risers in their hands as long as those reach.
+std::vector<Limb> landed(const Vec3& meet, double ground, const Vec3& heading)
+{
+    const Vec3 shoulder(meet.x(), ground + shoulders, meet.z());
+    const Body body(Vec3::UnitY(), heading);
+    const auto hand = [&](double side) {
+        const Vec3 joint = shoulder + side * halfShoulders * body.right;
+        const Vec3 way = meet + 0.25 * body.ahead - joint;
+        return Vec3(joint + std::min(1.0, reach / std::max(way.norm(), 1e-6)) * way);
+    };
+    std::vector<Limb> limbs = standing(shoulder, ground, body.ahead, hand(1.0), hand(-1.0));
+    for (const double side : {1.0, -1.0})
+        limbs.push_back({hand(side), meet, 0.014, 0.010});
+    return limbs;
+}
+
+std::vector<Limb> upright(const Person& person, const Frame& frame,
+                          const std::vector<ColliderBody>& colliders)
 {
     const Vec3 meet = meanOf(frame, person.holds);
+    const double ground = groundBelow(colliders, frame, meet);
+    if (meet.y() < ground + riser + tall)
+        return landed(meet, ground, headingOf(person, frame));
     Body body(upOf(person, frame), headingOf(person, frame));
     const Vec3 chest = meet - (riser + tall - shoulders) * body.up;
     const Vec3 pelvis = chest - (shoulders - hips) * body.up + 0.03 * body.ahead;
@@ -263,7 +283,7 @@ std::vector<Limb> limbsOf(const Person& person, const Frame& frame,
     case Pose::Prone:
         return prone(person, frame);
     case Pose::Upright:
-        return upright(person, frame);
+        return upright(person, frame, colliders);
     }
     return {};
 }
