@@ -5,6 +5,7 @@
 
 #include "builders/builder.h"
 #include "camera/camera_projection.h"
+#include "camera/chase.h"
 #include "camera/overlay_margins.h"
 #include "look/subject.h"
 #include "overlays/legend.h"
@@ -34,6 +35,60 @@ class TestFitting : public QObject
     Q_OBJECT
 
 private slots:
+    // A parachute that lands takes the camera down with it, and not into the ground: what it looks
+    // at stays above, and the eye by a fifth of its distance, or as low as a person has put it.
+    void whatComesDownIsSeenFromAbove()
+    {
+        auto layout = std::make_shared<Layout>();
+        layout->panelCorners = {{0, 1, 2}};
+        Frame frame;
+        frame.layout = layout;
+        frame.gone = {0};
+        const auto comeDown = [&](Camera& camera, double from) {
+            Chase chase;
+            for (double height = from; height >= 0.0; height -= 0.1) {
+                frame.position = {{-1, height, 0}, {1, height, 1}, {0, height, -1}};
+                frame.step += 1;
+                chase.move(camera, frame, nullptr, 0.0);
+            }
+        };
+        Camera camera;
+        camera.elevation = 0.05; // rad
+        camera.distance = 15.0;
+        camera.focus = Vec3(0, 18, 0); // the fabric hangs 2 m above the middle of the picture
+        comeDown(camera, 20.0);
+        QCOMPARE(camera.focus.y(), 0.0);
+        QVERIFY(std::abs(camera.eye().y() - 0.2 * 15.0) < 1e-9);
+
+        camera.elevation = 0.0;
+        camera.focus = Vec3(0, 0.5, 0); // at the height of the knees, as somebody likes it
+        comeDown(camera, 2.0);
+        QVERIFY(std::abs(camera.eye().y() - 0.5) < 1e-9);
+    }
+
+    // Who hangs below a parachute is in the picture when that is fitted.
+    void whoHangsIsFitted()
+    {
+        const Scene scene = *build(*findBuilder("parachute"), {});
+        View view(scene);
+        std::vector<Id> parts;
+        forEachPart(scene, [&](Id id, const Part&) { parts.push_back(id); });
+        const auto seenAt = [&](double metres) { // below the point where the lines meet
+            Vec3 foot = Vec3(0, 1e9, 0);
+            for (const Vec3& place : view.viewport.frame()->position)
+                if (place.y() < foot.y())
+                    foot = place;
+            foot.y() -= metres;
+            const auto pixel = CameraProjection(view.viewport.camera(), 400, 300).pixel(foot);
+            return pixel && QRectF(0, 0, 400, 300).contains(*pixel);
+        };
+        view.viewport.fit(parts);
+        QVERIFY(seenAt(1.75)); // m, as tall as they are
+        view.viewport.setPeopleShown(false);
+        view.viewport.fit(parts);
+        QVERIFY(!seenAt(1.75));
+    }
+
     // What tools and a legend cover stays free of what is fitted, in both kinds of picture.
     void fittingSparesWhatIsCovered()
     {

@@ -79,6 +79,13 @@ void Camera::zoom(double factor, double x, double y, double aspect)
     focus += change * (x * aspect * right() + y * up());
 }
 
+void Camera::liftEye(double height)
+{
+    const double rise = (height - focus.y()) / distance;
+    if (rise > std::sin(elevation))
+        elevation = std::asin(std::min(rise, 1.0));
+}
+
 void Camera::look(PresetView view)
 {
     const auto turn = [this](double azimuthDegrees, double elevationDegrees) {

@@ -51,6 +51,9 @@ public:
 
     void look(PresetView view);
 
+    // Turns about the focus until the eye is at least that high, m, as far as that goes.
+    void liftEye(double height);
+
     // Moves so that all points just fit into what is not covered, with a margin. `aspect` is width
     // over height.
     void fit(std::span<const Vec3> points, double aspect, const OverlayMargins& margins = {});

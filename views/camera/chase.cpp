@@ -1,7 +1,12 @@
 #include "camera/chase.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ripstop {
 namespace {
+
+constexpr double leastRise = 0.2; // of its distance, of an eye over ground that it comes down to
 
 // What a following camera keeps in place: the fabric, or the network where there is none.
 Vec3 middleOf(const Frame& frame)
@@ -41,15 +46,22 @@ void Chase::settle(const Frame* now)
         m_last = middleOf(*now);
 }
 
-void Chase::move(Camera& camera, const Frame& frame, const Frame* before)
+void Chase::move(Camera& camera, const Frame& frame, const Frame* before, double ground)
 {
     const Vec3 middle = middleOf(frame);
     if (!m_on || !middle.allFinite())
         return;
     const bool isShaped =
         frame.step == 0 && before && before->step == 0 && frame.generation != before->generation;
-    if (m_last && !isShaped && !(before && areOthers(frame, *before)))
+    if (m_last && !isShaped && !(before && areOthers(frame, *before))) {
+        const double above = camera.eye().y() - ground; // a person may have chosen a low place
+        const double lowest = std::min(camera.focus.y(), ground);
         camera.focus += middle - *m_last;
+        if (std::isfinite(ground)) {
+            camera.focus.y() = std::max(camera.focus.y(), lowest);
+            camera.liftEye(ground + std::min(above, leastRise * camera.distance));
+        }
+    }
     m_last = middle;
 }
 

@@ -27,8 +27,9 @@ public:
 
     // `before` is the frame that was shown before, or null. What an author does to a design at rest
     // is to be seen against the ground, so the camera stays then, and so it does where something
-    // comes into a run or goes out of it.
-    void move(Camera& camera, const Frame& frame, const Frame* before);
+    // comes into a run or goes out of it. What comes down does not draw eye or focus through
+    // the `ground` below the eye, m, but is seen from above.
+    void move(Camera& camera, const Frame& frame, const Frame* before, double ground);
 
 private:
     bool m_on = true;

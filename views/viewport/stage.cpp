@@ -316,11 +316,31 @@ std::vector<Vec3> Stage::subjectPoints() const
     return points;
 }
 
+// That of the design where they are too new for the one that is shown.
+std::shared_ptr<const Frame> Stage::frameWith(const Scene& scene, const std::vector<Id>& ids) const
+{
+    const bool isOld = !m_frame || (!ids.empty() && placesOf(*m_frame, scene, ids).empty());
+    return isOld ? sceneFrame(scene) : m_frame;
+}
+
+std::vector<Vec3> Stage::fittedPoints(const Scene& scene, const std::vector<Id>& ids) const
+{
+    std::vector<Vec3> places = pointsOf(scene, ids);
+    const auto frame = frameWith(scene, ids);
+    const auto isFitted = [&, fabric = places](int particle) {
+        return std::ranges::find(fabric, frame->position[std::size_t(particle)]) != fabric.end();
+    };
+    for (const Person& person :
+         m_peopleShown ? peopleOf(scene, *frame->layout) : std::vector<Person>())
+        if (person.pose != Pose::Standing && std::ranges::any_of(person.holds, isFitted))
+            for (const Limb& limb : limbsOf(person, *frame, m_bodies))
+                places.insert(places.end(), {limb.from, limb.to});
+    return places;
+}
+
 std::vector<Vec3> Stage::pointsOf(const Scene& scene, const std::vector<Id>& ids) const
 {
-    auto places = m_frame ? placesOf(*m_frame, scene, ids) : std::vector<Vec3>();
-    if (places.empty() && !ids.empty()) // they are too new for the frame
-        places = placesOf(*sceneFrame(scene), scene, ids);
+    std::vector<Vec3> places = placesOf(*frameWith(scene, ids), scene, ids);
     for (const ColliderBody& body : m_bodies)
         if (m_frame && std::ranges::binary_search(ids, body.id))
             for (const Vec3& corner : cornersOf(body, placeOf(*m_frame, body.id, body.collider)))

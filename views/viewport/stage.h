@@ -83,6 +83,8 @@ public:
     // everything when there is no fabric.
     std::vector<Vec3> subjectPoints() const;
     std::vector<Vec3> pointsOf(const Scene& scene, const std::vector<Id>& ids) const;
+    // With who hangs there, as they are to be seen as well.
+    std::vector<Vec3> fittedPoints(const Scene& scene, const std::vector<Id>& ids) const;
     const Look& look() const { return m_look; }
     const std::vector<ColliderBody>& colliders() const { return m_bodies; }
     const Eigen::AlignedBox3d& bounds() const { return m_bounds; }
@@ -105,6 +107,7 @@ private:
         return m_fixedRanges[std::size_t(m_colorBy)];
     }
     void light();
+    std::shared_ptr<const Frame> frameWith(const Scene& scene, const std::vector<Id>& ids) const;
     void takePoints();
     void takePeople(const Scene& scene);
     void takeLimbs();

@@ -11,6 +11,7 @@
 
 #include "camera/camera_projection.h"
 #include "document/recordings.h"
+#include "look/collider_geometry.h"
 #include "look/scene_frame.h"
 #include "overlays/overlay_paint.h"
 #include "tools/tool_strip.h"
@@ -298,7 +299,8 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
     if (d->pointing.holds()) // the camera would follow the hand, and the hand the camera
         d->chase.settle(frame.get());
     else
-        d->chase.move(d->camera, *frame, d->stage.frame().get());
+        d->chase.move(d->camera, *frame, d->stage.frame().get(),
+                      groundBelow(d->stage.colliders(), *frame, d->camera.eye()));
     const auto before = d->stage.frame();
     const bool isAnew = before && before->run != frame->run && before->step > frame->step;
     d->stage.show(std::move(frame));
@@ -437,7 +439,7 @@ void Viewport::centreAt(const Vec3& place)
 void Viewport::fit(const std::vector<Id>& ids, const QRect& covered)
 {
     d->stage.prepare(d->document.scene());
-    const std::vector<Vec3> places = d->stage.pointsOf(d->document.scene(), ids);
+    const std::vector<Vec3> places = d->stage.fittedPoints(d->document.scene(), ids);
     if (places.empty())
         return fit();
     d->untouched = false;
