@@ -38,6 +38,11 @@ bool beginsAWord(const QString& text, const QString& word)
            || text.contains(' ' + word, Qt::CaseInsensitive);
 }
 
+bool isAWord(const QString& text, const QString& word)
+{
+    return (' ' + text + ' ').contains(' ' + word + ' ', Qt::CaseInsensitive);
+}
+
 } // namespace
 
 Palette::Palette(const QMenuBar& menus, const QList<PanelMenu>& others, QWidget* parent)
@@ -107,9 +112,9 @@ int Palette::fit(const QString& typed, const QString& name, const QString& menu,
     int sum = 1;
     for (const QString& word : typed.split(' ', Qt::SkipEmptyParts)) {
         if (name.startsWith(word, Qt::CaseInsensitive))
-            sum += 40;
+            sum += isAWord(name, word) ? 50 : 40;
         else if (beginsAWord(name, word))
-            sum += 30;
+            sum += isAWord(name, word) ? 45 : 30;
         else if (name.contains(word, Qt::CaseInsensitive))
             sum += 15;
         else if (beginsAWord(menu, word))

@@ -36,7 +36,8 @@ public:
     QString dock() const;    // where what is chosen is seen; empty when it stands in the menu bar
 
     // How well an action answers what was typed: 0 not at all. Each word has to occur somewhere; a
-    // word of the name counts more than one of its menu or its tip, a beginning more than a middle.
+    // word of the name counts more than one of its menu or its tip, a whole word more than the
+    // beginning of one, and that more than a middle.
     static int fit(const QString& typed, const QString& name, const QString& menu,
                    const QString& tip);
 

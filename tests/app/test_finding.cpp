@@ -109,6 +109,9 @@ private slots:
         QTest::newRow("a word before a part of one") << "wind"
                                                      << "Show wind"
                                                      << "Unwinding";
+        QTest::newRow("a whole word before a beginning") << "pin"
+                                                         << "Pin or unpin"
+                                                         << "Pinned particles";
         QTest::newRow("name before tip") << "mesh"
                                          << "Export mesh"
                                          << "Import";
