@@ -44,6 +44,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document, Selection& selection
     connect(&selection, &Selection::changed, this, [this] { m_selectedSoon.start(); });
     connect(&document, &Document::changed, this, &StatusLine::showCounts);
     connect(&document, &Document::replaced, this, &StatusLine::showCounts);
+    connect(&document, &Document::replaced, &bar, &QStatusBar::clearMessage); // of the other scene
     connect(&player, &Player::stopped, this, [this](const QString& why) { say(why, read); });
     showCounts();
 }

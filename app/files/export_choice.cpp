@@ -124,9 +124,9 @@ QString contentInWords(const ExportChoice& choice, const ExportRange& range, con
     const ExportFormat& format = *choice.mesh();
     const QString size =
         sizeInWords(expectedSize(format, *now->layout, choice.isSeries() ? frames : 1));
-    return choice.isSeries()
-               ? tr("%1 frames, about %2.").arg(frames).arg(size)
-               : tr("The shape on the screen, at %1 s, about %2.").arg(rounded(now->time), size);
+    return choice.isSeries() ? tr("%1 frames, about %2.").arg(frames).arg(size)
+                             : tr("The shape at %1 s, when this was opened, about %2.")
+                                   .arg(rounded(now->time), size);
 }
 
 } // namespace

@@ -2325,8 +2325,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
-        <source>The shape on the screen, at %1 s, about %2.</source>
-        <translation>La forme à l’écran, à %1 s, environ %2.</translation>
+        <source>The shape at %1 s, when this was opened, about %2.</source>
+        <translation>La forme à %1 s, à l’ouverture de ce dialogue, environ %2.</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>

@@ -72,6 +72,8 @@ private slots:
         const auto toldTears = [&] { return said.filter("tore"); };
         QTRY_VERIFY(!toldTears().isEmpty());
         QVERIFY2(toldTears()[0].contains("structural, link"), qPrintable(toldTears()[0]));
+        shop.document.replace(Scene{}); // another scene, in which nothing tore
+        QCOMPARE(shop.window.statusBar()->currentMessage(), QString());
     }
 
     // A click on what broke shows its moment, with the place in the middle of the view; another
