@@ -4,6 +4,7 @@
 // Stages: plots and their ways of looking as edits, undone and saved; runs that plots must not
 // disturb; marks of events; then the range of values, peaks among many samples, and sixty curves
 // of ten minutes.
+#include "plots/chart_style.h"
 #include "thread_time.h"
 #include "views/plot_desk.h"
 #include "views/run_with_widgets.h"
@@ -241,6 +242,16 @@ private slots:
         QVERIFY(desk.recordings.toEvent(Recordings::Way::Back));
         QTRY_VERIFY(desk.player.isLookingBack());
         QVERIFY(std::abs(desk.player.frame()->time - std::sqrt(2.0 / 9.80665)) < 0.02);
+    }
+
+    // What lies on the ground does so to some nanometres: its axis is that of zeros, and not one of
+    // ten decimals. Of a pull as small there is something to be seen.
+    void restIsNothingOnAnAxis()
+    {
+        const QCPRange rest(-7.6e-9, -7.5e-9);
+        QCOMPARE(withAir(rest, 1.0, "m"), withAir({0.0, 0.0}, 1.0, "m"));
+        QCOMPARE(fittedRange(rest, {0.0, 30.0}, false, 1.0, "m"), withAir({0.0, 0.0}));
+        QVERIFY(withAir(rest, 1.0, "N").size() < 1e-9);
     }
 
     void rangeOfValues()

@@ -328,9 +328,10 @@ void Chart::fitValues(Strip& strip)
 {
     const QCPRange shown = strip.values->range();
     const QCPRange values(strip.inSight.low, strip.inSight.high);
-    QCPRange wanted = strip.inSight.any ? fittedRange(values, shown, m_settings.logarithmic,
-                                                      strip.isShare ? 0.01 : 1.0)
-                                        : shown;
+    QCPRange wanted = strip.inSight.any
+                          ? fittedRange(values, shown, m_settings.logarithmic,
+                                        strip.isShare ? 0.01 : 1.0, strip.unit.toStdString())
+                          : shown;
     wanted.lower = m_settings.low.value_or(wanted.lower);
     wanted.upper = m_settings.high.value_or(wanted.upper);
     if (wanted.lower < wanted.upper)

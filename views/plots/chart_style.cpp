@@ -7,6 +7,7 @@
 
 #include "document/spoken.h"
 #include "plots/curve_color.h"
+#include "scene/said_number.h"
 
 #include <QCoreApplication>
 #include <QVBoxLayout>
@@ -264,24 +265,26 @@ void putLegendAbove(QCustomPlot& plot)
     plot.legend->setMaximumSize(QWIDGETSIZE_MAX / 2, QWIDGETSIZE_MAX);
 }
 
-QCPRange withAir(const QCPRange& values, double one)
+QCPRange withAir(const QCPRange& values, double one, std::string_view unit)
 {
     constexpr double headroom = 0.08; // of the values, above and below
     constexpr double flat = 1e-4;     // of its size: less change than this is shown as no change
-    const QCPRange held(heldValue(values.lower), heldValue(values.upper));
+    const auto heldOf = [unit](double value) { return isNothing(value, unit) ? 0.0 : value; };
+    const QCPRange held(heldOf(values.lower), heldOf(values.upper));
     const double size = std::max(std::abs(held.lower), std::abs(held.upper));
     const double least = size > 0.0 ? flat * size : one;
     const double half = (0.5 + headroom) * std::max(held.size(), least);
     return {held.center() - half, held.center() + half};
 }
 
-QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic, double one)
+QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic, double one,
+                     std::string_view unit)
 {
     constexpr double room = 1.3;   // times
     constexpr double roomy = 0.55; // values that fill less of their axis are fitted anew
     if (logarithmic)
         return {values.lower / room, values.upper * room};
-    const QCPRange wanted = withAir(values, one);
+    const QCPRange wanted = withAir(values, one, unit);
     const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
                       && wanted.size() > roomy * shown.size();
     return fits ? shown : wanted;

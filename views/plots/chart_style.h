@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <string_view>
 #include <vector>
 
 class QCPAbstractPlottable;
@@ -33,13 +34,14 @@ void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curv
 void putLegendAbove(QCustomPlot& plot);
 
 // The range of an axis that shows these values: 8 % of their span above and below, and never an
-// empty range. What is less than what the engine holds is nothing.
-QCPRange withAir(const QCPRange& values, double one = 1.0); // of nothing but zeros, half of `one`
+// empty range; of nothing but zeros, half of `one`. What is less than what the engine holds of that
+// unit is nothing.
+QCPRange withAir(const QCPRange& values, double one = 1.0, std::string_view unit = {});
 
 // The range that an axis takes which shows `shown` and is to show these values: as it is where they
 // fit, because an axis that moved with every sample could not be read.
 QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic,
-                     double one = 1.0);
+                     double one = 1.0, std::string_view unit = {});
 
 // Leaves little room around the axes beyond what their numbers need.
 void tighten(QCPAxisRect& rect);
