@@ -10,12 +10,14 @@
 #include "look/trails.h"
 #include "look/vectors.h"
 #include "overlays/legend.h"
+#include "overlays/overlay_paint.h"
 #include "overlays/range_editor.h"
 #include "views/bare_view.h"
 #include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
 #include <QLineEdit>
+#include <QPainter>
 #include <QtTest>
 
 #include <cmath>
@@ -263,6 +265,39 @@ private slots:
         view.viewport.image();
         QCOMPARE(view.viewport.range(), (ValueRange{0.0, 1000.0}));
         QVERIFY(!view.viewport.legend().goesAbove());
+    }
+
+    // In a picture of another size the colours of the legend are those of the fabric, and so are
+    // the three of wrinkles.
+    void legendKeepsItsColoursInPictures()
+    {
+        QWidget view;
+        view.resize(400, 400);
+        Legend legend(&view);
+        constexpr double scale = 0.61;
+        const auto colourAt = [&](double share) { // in the middle of the bar, 12 px from the left
+            QImage picture(int(400 * scale), int(400 * scale), QImage::Format_RGB32);
+            picture.fill(Qt::white);
+            QPainter painter(&picture);
+            paintOver(painter, picture.size(), {&legend}, view.size());
+            painter.end();
+            const double top = 12 + QFontMetrics(legend.font()).height() + 8;
+            return picture.pixelColor(int(20 * scale), int((top + 200 * (1.0 - share)) * scale));
+        };
+        const auto isAbout = [](const QColor& seen, const Color& meant) {
+            return std::abs(seen.red() - meant[0]) <= 6 && std::abs(seen.green() - meant[1]) <= 6
+                   && std::abs(seen.blue() - meant[2]) <= 6; // a pixel is 0.8 % of the bar
+        };
+        view.show();
+        legend.setScale(ColorBy::Stress, {0.0, 1.0}, ColorMap::sequential());
+        for (const double share : {0.03, 0.25, 0.5, 0.75, 0.97})
+            QVERIFY2(isAbout(colourAt(share), ColorMap::sequential().at(share)),
+                     qPrintable(QString("%1: %2").arg(share).arg(colourAt(share).name())));
+        legend.setScale(ColorBy::Wrinkles, {0.0, highestState}, ColorMap::sequential());
+        for (const int state : {0, 1, 2})
+            for (const double inside : {0.1, 0.9})
+                QVERIFY(isAbout(colourAt((state + inside) / 3.0),
+                                ColorMap::sequential().at(0.5 * state)));
     }
 
     // The legend of how panels lie has names instead of numbers, and neither peak nor range.

@@ -20,6 +20,7 @@ constexpr int barWidth = 16;      // pixels
 constexpr int barHeight = 200;    // pixels
 constexpr int gap = 8;            // pixels
 constexpr int arrow = 7;          // pixels, of an end beyond which values lie
+constexpr int stops = 64;         // of the gradient, from end to end
 constexpr double mostSteps = 5.0; // between round numbers, over the bar
 constexpr double rounding = 1e-6; // of the range: not beyond it yet
 
@@ -198,11 +199,17 @@ void Legend::paintBar(QPainter& painter, const QRect& bar) const
         const auto [r, g, b] = m_colors->at(share);
         return QColor(r, g, b);
     };
-    for (int y = 0; y < bar.height(); ++y) {
-        const double share = 1.0 - (y + 0.5) / bar.height();
-        painter.fillRect(bar.left(), bar.top() + y, bar.width(), 1,
-                         colorAt(m_isState ? std::floor(3.0 * share) / 2.0 : share));
+    // One fill: the card would shine through between rows where a picture is of another size.
+    QLinearGradient colors(0.0, bar.top() + bar.height(), 0.0, bar.top());
+    for (int i = 0; !m_isState && i <= stops; ++i) {
+        const double share = double(i) / stops;
+        colors.setColorAt(share, colorAt(share));
     }
+    for (int state = 0; m_isState && state < 3; ++state) { // each has a third
+        colors.setColorAt(state / 3.0, colorAt(0.5 * state));
+        colors.setColorAt((state + 1) / 3.0 - rounding, colorAt(0.5 * state));
+    }
+    painter.fillRect(bar, colors);
     painter.setPen(Qt::NoPen);
     const auto paintArrow = [&](double share, int base, int tip) {
         painter.setBrush(colorAt(share));
