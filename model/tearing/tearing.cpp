@@ -258,7 +258,9 @@ void leaveWorstOfLines(const System& system, const State& state, std::vector<Ove
     });
 }
 
-// What an opening still holds back a step later.
+constexpr double farAbove = 1.25; // times the overload that opened the mesh
+
+// What an opening still holds back a step later. It may be infinite, where a limit is 0.
 //   easing  s, in which what has let go loses its load
 double faded(double hold, double timeStep, double easing)
 {
@@ -266,11 +268,14 @@ double faded(double hold, double timeStep, double easing)
 }
 
 // A pull crosses an element in the root of mass times compliance; one that is damped gives way no
-// sooner than its damping time lets it.
+// sooner than its damping time lets it. A spring without stiffness never pulls itself together.
 double easingTime(const System& system, const LinkPlace& link)
 {
     const auto index = std::size_t(link.index);
-    const Rod rod = link.kind == LinkKind::Rod ? system.rods[index] : asRod(system.springs[index]);
+    const bool isRod = link.kind == LinkKind::Rod;
+    if (!isRod && system.springs[index].stiffness <= 0.0)
+        return std::numeric_limits<double>::infinity();
+    const Rod rod = isRod ? system.rods[index] : asRod(system.springs[index]);
     const double mass = system.mass[std::size_t(link.a)] + system.mass[std::size_t(link.b)];
     return std::sqrt(mass * rod.compliance) + rod.dampingTime;
 }
@@ -283,8 +288,6 @@ double easingTime(const System& system, const Membrane& membrane)
         mass += system.mass[std::size_t(corner)];
     return std::sqrt(mass / std::min(law.warp, law.weft)) + law.dampingTime;
 }
-
-constexpr double farAbove = 1.25; // times the overload that opened the mesh
 
 //   overloads  in order
 void takeHeldPanelsOut(const System& system, State& state, std::vector<Overload>& overloads,

@@ -1,19 +1,25 @@
 // Tearing: what the cases (verify/tearing.cpp) do not ask.
 //
 // Stages: what breaks at a limit, what goes with it, and that a broken rod holds nothing; then how
-// many break in one step, and how overloads of different rules are compared; and at last links that
-// are pressed or have no length.
+// many break in one step, and how overloads of different rules are compared; how long a link at an
+// opening waits; and at last links that are pressed or have no length.
+#include "assembly/carry_over.h"
 #include "assembly/finish.h"
+#include "assembly/split_system.h"
 #include "model/systems.h"
 #include "registered_test.h"
 
 #include "measure/diagnostics.h"
+#include "tearing/tear_opening.h"
+#include "tearing/tearing.h"
+#include "verify/tear_sheets.h"
 
 #include <Eigen/Geometry>
 
 #include <QtTest>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ripstop::test_tearing {
 
@@ -251,6 +257,62 @@ private slots:
         for (const State::Tear& tear : state.tears)
             order.push_back(tear.element);
         QVERIFY(order == (std::vector<Key>{2, 1, 3, 0}));
+    }
+
+    // A link at an opening that stays as long waits while its overload is less than a quarter above
+    // what has faded of the one that opened it: by 1/e in sqrt((m + m') / k) and the damping time.
+    // One without stiffness waits as long as it is that long.
+    void waitsForItsLoadToGo_data()
+    {
+        QTest::addColumn<double>("stiffness");
+        QTest::newRow("it pulls") << 1000.0;
+        QTest::newRow("it never pulls") << 0.0;
+    }
+
+    void waitsForItsLoadToGo()
+    {
+        QFETCH(double, stiffness);
+        constexpr int weak = 1, columns = 4;
+        System system = tearSheet(columns, 4, weak, LinkKind::Spring);
+        system.timeStep = 1e-4;
+        for (Spring& spring : system.springs)
+            if (spring.tear.rule != TearRule::Never) {
+                spring.stiffness = stiffness;
+                spring.damping *= stiffness; // of 0 neither
+            }
+        State state = system.start;
+        for (std::size_t i = (weak + 1) * (columns + 1); i < state.position.size(); ++i)
+            state.position[i].z() += 0.02;
+        TearScratch scratch;
+        std::vector<PaddedVec3> force(system.springs.size(), PaddedVec3(Vec3::Zero()));
+        tearOverloaded(system, state, {{}, force, {}}, scratch);
+        QVERIFY(openTears(system, state));
+        const auto parted = splitSystem(system, state.splits, {});
+        State drawn = carryOver(system, state, *parted); // a hand keeps it as it is
+        QVERIFY(!drawn.tearHolds.empty());
+        double soonest = 1e9; // s
+        for (const TearHold& hold : drawn.tearHolds) {
+            const LinkPlace& link = parted->links[std::size_t(hold.link)];
+            const Spring& spring = parted->springs[std::size_t(link.index)];
+            const double mass =
+                parted->mass[std::size_t(link.a)] + parted->mass[std::size_t(link.b)];
+            if (spring.tear.rule != TearRule::Never)
+                soonest = std::min(soonest, std::sqrt(mass / spring.stiffness)
+                                                + spring.damping / spring.stiffness);
+        }
+        const std::size_t before = drawn.tears.size();
+        force.assign(parted->springs.size(), PaddedVec3(Vec3::Zero()));
+        int steps = 0;
+        for (; drawn.tears.size() == before && steps < 1000; ++steps)
+            tearOverloaded(*parted, drawn, {{}, force, {}}, scratch);
+        QVERIFY(drawn.tearHolds == State(drawn).tearHolds); // all are numbers
+        if (stiffness == 0.0) {
+            QCOMPARE(drawn.tears.size(), before);
+            return;
+        }
+        const double waited = (steps - 1) * system.timeStep, expected = soonest * std::log(1.25);
+        QVERIFY2(waited >= expected && waited < expected + 2.0 * system.timeStep,
+                 told(waited, expected));
     }
 
     // A strut that is pressed short is not torn, and a link without rest length has no strain.

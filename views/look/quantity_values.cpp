@@ -255,12 +255,19 @@ std::vector<double> rangedValues(const QuantityValues& values)
 
 ValueRange extentOf(const QuantityValues& values)
 {
-    std::vector<double> all = rangedValues(values);
-    std::erase_if(all, [](double value) { return std::isnan(value); });
-    if (all.empty())
-        return {0.0, 0.0};
-    const auto [low, high] = std::ranges::minmax(all);
-    return {low, high};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    ValueRange extent{infinity, -infinity};
+    const auto take = [&extent](const std::vector<double>& some) {
+        for (const double value : some) { // neither takes what is not a number
+            extent.low = std::fmin(extent.low, value);
+            extent.high = std::fmax(extent.high, value);
+        }
+    };
+    take(values.link);
+    take(values.panel);
+    if (values.link.empty() && values.panel.empty())
+        take(values.particle);
+    return extent.low <= extent.high ? extent : ValueRange{0.0, 0.0};
 }
 
 } // namespace ripstop

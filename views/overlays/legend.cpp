@@ -131,18 +131,14 @@ QString Legend::peakText() const
                                        : tr("peak %1").arg(m_scale.number(m_peak.value));
 }
 
-bool Legend::goesAbove() const
-{
-    const ValueRange range = meant(m_range);
-    const double beyond = m_extent.high - range.high;
-    return m_isKnown && !m_isState && beyond > rounding * (range.high - range.low);
-}
+bool Legend::goesAbove() const { return isBeyond(m_extent.high - meant(m_range).high); }
 
-bool Legend::goesBelow() const
+bool Legend::goesBelow() const { return isBeyond(meant(m_range).low - m_extent.low); }
+
+bool Legend::isBeyond(double by) const
 {
     const ValueRange range = meant(m_range);
-    const double beyond = range.low - m_extent.low;
-    return m_isKnown && !m_isState && beyond > rounding * (range.high - range.low);
+    return m_isKnown && !m_isState && by > rounding * (range.high - range.low);
 }
 
 void Legend::mousePressEvent(QMouseEvent*) {}

@@ -62,6 +62,7 @@ private:
         bool isLimit = false; // where things break: drawn across the bar
     };
     std::vector<Mark> marks() const;
+    bool isBeyond(double by) const; // by so much, in SI units
     void paintBar(QPainter& painter, const QRect& bar) const;
 
     Theme m_theme = Theme::light();
