@@ -122,8 +122,8 @@ QString contentInWords(const ExportChoice& choice, const ExportRange& range, con
     if (!now)
         return {};
     const ExportFormat& format = *choice.mesh();
-    const QString size =
-        sizeInWords(expectedSize(format, *now->layout, choice.isSeries() ? frames : 1));
+    const QString size = sizeInWords(
+        expectedSize(format, *now->layout, MeshAppearance(scene), choice.isSeries() ? frames : 1));
     return choice.isSeries() ? tr("%1 frames, about %2.").arg(frames).arg(size)
                              : tr("The shape at %1 s, when this was opened, about %2.")
                                    .arg(rounded(now->time), size);

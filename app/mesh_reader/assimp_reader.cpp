@@ -2,6 +2,7 @@
 // the meshes that come of it as often as a node shows it, at the place of the node.
 #include "mesh_reader/assimp_reader.h"
 
+#include "base/tubes_mark.h"
 #include "mesh_reader/bounded_files.h"
 
 #include <assimp/Importer.hpp>
@@ -99,7 +100,8 @@ private:
     void add(const aiNode& node, const aiMatrix4x4& above)
     {
         const aiMatrix4x4 place = above * node.mTransformation;
-        for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        const bool isTubes = node.mMetaData && node.mMetaData->HasKey(tubesMark);
+        for (unsigned i = 0; i < node.mNumMeshes && !isTubes; ++i) {
             const aiMesh& mesh = *m_scene.mMeshes[node.mMeshes[i]];
             const std::string name =
                 node.mName.length > 0 ? node.mName.C_Str() : mesh.mName.C_Str();

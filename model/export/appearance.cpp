@@ -1,6 +1,10 @@
+// The constructor goes over the scene once: first the materials, each a fabric with the colour, the
+// picture and the thickness of what is made of it, then the parts, whose rows it sorts by id.
+// Questions are answered by looking into those.
 #include "export/appearance.h"
 
 #include "derived/fabric_picture.h"
+#include "derived/link_thickness.h"
 
 #include <algorithm>
 #include <charconv>
@@ -33,7 +37,8 @@ MeshAppearance::MeshAppearance(const Scene& scene)
     for (const Entry& entry : scene.items)
         if (const auto* material = std::get_if<Material>(&entry.item)) {
             materials.emplace_back(std::uint32_t(entry.id), m_fabrics.size());
-            m_fabrics.push_back({material->name, colorFrom(material->color)});
+            m_fabrics.push_back(
+                {material->name, colorFrom(material->color), {}, linkThickness(*material)});
             m_prints.emplace_back();
             for (const PrintedPoint& point : printedPoints(scene, entry.id))
                 m_prints.back().emplace_back(point.particle, point.at);
@@ -93,6 +98,11 @@ std::size_t MeshAppearance::fabricOf(std::uint32_t element) const
 bool MeshAppearance::isLine(std::uint32_t link) const
 {
     return !std::ranges::binary_search(m_threads, link);
+}
+
+bool MeshAppearance::isRound(std::uint32_t link) const
+{
+    return isLine(link) && m_fabrics[fabricOf(link)].thickness > 0.0;
 }
 
 } // namespace ripstop

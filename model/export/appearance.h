@@ -21,6 +21,7 @@ public:
         std::string name;
         std::array<double, 3> color;        // red, green, blue, 0 to 1, as screens have them (sRGB)
         std::filesystem::path picture = {}; // on the fabric, a PNG or JPEG; empty for none
+        double thickness = 0.0;             // m, of round lines and spars of it; 0 where unknown
     };
     using TexturePoint = std::array<double, 2>; // u to the right and v up, 0 to 1
 
@@ -40,6 +41,7 @@ public:
 
     // Whether a link is one by itself, a line or a spar, and no thread of the fabric. By id.
     bool isLine(std::uint32_t link) const;
+    bool isRound(std::uint32_t link) const; // such a link, of a thickness
 
 private:
     template <typename T>

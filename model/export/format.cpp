@@ -13,6 +13,7 @@
 #include "export/hdf5.h"
 #include "export/moment.h"
 #include "export/point_cache.h"
+#include "export/tubes.h"
 
 #include <algorithm>
 #include <array>
@@ -77,7 +78,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Nothing,
-                 {12, 0, 0, 0},
+                 {12, 0, 0, 0, 12 * int(Tubes::vertices)},
                  glbMoment,
                  gltfSink},
     ExportFormat{".gltf",
@@ -86,7 +87,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Nothing,
-                 {16, 0, 0, 0},
+                 {16, 0, 0, 0, 16 * int(Tubes::vertices)},
                  nullptr,
                  gltfSink},
     ExportFormat{".pc2",
@@ -214,13 +215,16 @@ Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
                        : sequenceSink(target, appearance, format.content);
 }
 
-double expectedSize(const ExportFormat& format, const Layout& layout, std::size_t frames)
+double expectedSize(const ExportFormat& format, const Layout& layout,
+                    const MeshAppearance& appearance, std::size_t frames)
 {
-    const auto& [particle, panel, link, probe] = format.bytes;
-    const double each = double(particle) * double(layout.particleId.size())
-                        + double(panel) * double(layout.panelId.size())
-                        + double(link) * double(layout.links.size())
-                        + double(probe) * double(layout.probes.size());
+    const auto& [particle, panel, link, probe, roundLine] = format.bytes;
+    const auto roundLines = std::ranges::count_if(
+        layout.links, [&](const Layout::Link& row) { return appearance.isRound(row.id); });
+    const double each =
+        double(particle) * double(layout.particleId.size())
+        + double(panel) * double(layout.panelId.size()) + double(link) * double(layout.links.size())
+        + double(probe) * double(layout.probes.size()) + double(roundLine) * double(roundLines);
     return each * double(frames);
 }
 

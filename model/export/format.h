@@ -25,6 +25,7 @@ struct ExportFormat
         int panel;
         int link;
         int probe;
+        int roundLine = 0; // beside what a link has
     };
 
     std::string_view ending; // of the target's name; says which format is meant
@@ -53,7 +54,8 @@ Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
                                             const MeshAppearance& appearance);
 
 // Bytes, about, for as many frames like this one.
-double expectedSize(const ExportFormat& format, const Layout& layout, std::size_t frames);
+double expectedSize(const ExportFormat& format, const Layout& layout,
+                    const MeshAppearance& appearance, std::size_t frames);
 
 // What a series of so many frames becomes, the target first, and the materials of OBJ files last; a
 // folder stands for what is in it.

@@ -1,10 +1,13 @@
-// Arrays go into one buffer: the first frame as a mesh, each later one as a morph target, then the
-// animation that blends them, and last materials, node and scene.
+// Arrays go into one buffer: the first frame as a mesh, and tubes as another where there are any,
+// each later frame as a morph target of both, then the animation that blends them, and last
+// materials, nodes and scene.
 #include "export/gltf.h"
 
 #include "base/program_version.h"
+#include "base/tubes_mark.h"
 #include "export/moment.h"
 #include "export/spooled_sink.h"
+#include "export/tubes.h"
 #include "io/whole_file.h"
 
 #include <tiny_gltf.h>
@@ -207,7 +210,7 @@ tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
     return mesh;
 }
 
-// Each frame has its own target, fully on at its time and off at its neighbours'.
+// Each frame has its own target, fully on at its time and off at its neighbours', of all nodes.
 void addAnimation(Builder& builder, const FrameSpool& spool)
 {
     const std::size_t frames = spool.count();
@@ -222,25 +225,44 @@ void addAnimation(Builder& builder, const FrameSpool& spool)
     sampler.input = builder.addNumbers(times, 1, 0);
     sampler.output = builder.addNumbers(weights, 1, 0);
     sampler.interpolation = "LINEAR";
-    tinygltf::AnimationChannel channel;
-    channel.sampler = 0;
-    channel.target_node = 0;
-    channel.target_path = "weights";
     tinygltf::Animation animation;
     animation.name = "flight";
     animation.samplers.push_back(std::move(sampler));
-    animation.channels.push_back(std::move(channel));
+    for (std::size_t node = 0; node < builder.model().nodes.size(); ++node) {
+        tinygltf::AnimationChannel channel;
+        channel.sampler = 0;
+        channel.target_node = int(node);
+        channel.target_path = "weights";
+        animation.channels.push_back(std::move(channel));
+    }
     builder.model().animations.push_back(std::move(animation));
 }
 
-std::optional<Failure> addTargets(Builder& builder, tinygltf::Mesh& mesh, FrameSpool& spool,
-                                  ConstantMesh& shapes, const Progress& progress)
+// A mesh at another time, as far as its vertices have gone from where they were at first.
+void addTarget(Builder& builder, tinygltf::Mesh& mesh, std::span<const Eigen::Vector3f> first,
+               std::vector<Eigen::Vector3f> moved)
+{
+    for (std::size_t k = 0; k < moved.size(); ++k)
+        moved[k] -= first[k];
+    const int target = builder.addNumbers(flat(std::span<const Eigen::Vector3f>(moved)), 3,
+                                          TINYGLTF_TARGET_ARRAY_BUFFER);
+    for (tinygltf::Primitive& primitive : mesh.primitives)
+        primitive.targets.push_back({{"POSITION", target}});
+    mesh.weights.push_back(0.0);
+}
+
+// Of the meshes of meshesOf().
+std::optional<Failure> addTargets(Builder& builder, std::vector<tinygltf::Mesh>& meshes,
+                                  const Tubes& tubes, FrameSpool& spool, ConstantMesh& shapes,
+                                  const Progress& progress)
 {
     const auto first = shapes.positions(spool, 0);
     if (!first)
         return first.failure();
+    const std::vector<Eigen::Vector3f> around = tubes.positions(*first);
     const std::size_t frames = spool.count();
-    const std::size_t bytes = builder.size() + 12 * first->size() * frames + 4 * frames * frames;
+    const std::size_t bytes =
+        builder.size() + 12 * (first->size() + around.size()) * frames + 4 * frames * frames;
     if (bytes > largestBuffer)
         return Failure("The animation would have %1 MB, and a glTF file holds 4096 at most; choose "
                        "fewer frames, or a point cache (.pc2).",
@@ -252,32 +274,42 @@ std::optional<Failure> addTargets(Builder& builder, tinygltf::Mesh& mesh, FrameS
         auto moved = shapes.positions(spool, i);
         if (!moved)
             return moved.failure();
-        for (std::size_t k = 0; k < moved->size(); ++k)
-            (*moved)[k] -= (*first)[k];
-        const int target = builder.addNumbers(flat(std::span<const Eigen::Vector3f>(*moved)), 3,
-                                              TINYGLTF_TARGET_ARRAY_BUFFER);
-        for (tinygltf::Primitive& primitive : mesh.primitives)
-            primitive.targets.push_back({{"POSITION", target}});
+        if (!tubes.empty())
+            addTarget(builder, meshes.back(), around, tubes.positions(*moved));
+        addTarget(builder, meshes.front(), *first, std::move(*moved));
     }
-    mesh.weights.assign(frames - 1, 0.0);
     return std::nullopt;
 }
 
-void complete(Builder& builder, tinygltf::Mesh mesh, const Surface& surface)
+// The fabric with its lines as edges, and the tubes of those that are round, if there are any.
+std::vector<tinygltf::Mesh> meshesOf(Builder& builder, const Surface& surface, const Tubes& tubes,
+                                     Normals normals)
+{
+    std::vector<tinygltf::Mesh> meshes{meshOf(builder, surface, normals)};
+    if (!tubes.empty())
+        meshes.push_back(meshOf(builder, tubes.surface(), normals));
+    return meshes;
+}
+
+void addNodes(Builder& builder, std::vector<tinygltf::Mesh> meshes)
 {
     tinygltf::Model& model = builder.model();
-    addMaterials(builder, surface);
-    model.asset.version = "2.0";
-    model.asset.generator = "Ripstop " + std::string(releaseVersion());
-    tinygltf::Node node;
-    node.name = surface.name;
-    node.mesh = 0;
-    model.meshes.push_back(std::move(mesh));
-    model.nodes.push_back(std::move(node));
     tinygltf::Scene scene;
-    scene.nodes = {0};
+    for (tinygltf::Mesh& mesh : meshes) {
+        tinygltf::Node node;
+        node.name = mesh.name;
+        node.mesh = int(model.meshes.size());
+        if (!scene.nodes.empty())
+            node.extras =
+                tinygltf::Value(tinygltf::Value::Object{{tubesMark, tinygltf::Value(true)}});
+        scene.nodes.push_back(int(model.nodes.size()));
+        model.meshes.push_back(std::move(mesh));
+        model.nodes.push_back(std::move(node));
+    }
     model.scenes.push_back(std::move(scene));
     model.defaultScene = 0;
+    model.asset.version = "2.0";
+    model.asset.generator = "Ripstop " + std::string(releaseVersion());
 }
 
 enum class Container { Text, Binary };
@@ -301,14 +333,16 @@ private:
     {
         Builder builder;
         const bool moves = spool().count() > 1;
-        tinygltf::Mesh mesh =
-            meshOf(builder, shapes.surface(), moves ? Normals::Left : Normals::Given);
-        if (moves) {
-            if (auto failure = addTargets(builder, mesh, spool(), shapes, progress))
+        const Tubes tubes(shapes.surface());
+        std::vector<tinygltf::Mesh> meshes =
+            meshesOf(builder, shapes.surface(), tubes, moves ? Normals::Left : Normals::Given);
+        if (moves)
+            if (auto failure = addTargets(builder, meshes, tubes, spool(), shapes, progress))
                 return failure;
+        addMaterials(builder, shapes.surface());
+        addNodes(builder, std::move(meshes));
+        if (moves)
             addAnimation(builder, spool());
-        }
-        complete(builder, std::move(mesh), shapes.surface());
         return ripstop::write(builder.model(), out,
                               target().extension() == ".gltf" ? Container::Text
                                                               : Container::Binary);
@@ -329,7 +363,9 @@ Result<std::string> glbMoment(const Frame& frame, const MeshAppearance& appearan
     if (surface.panels.empty() && surface.lines.empty())
         return Failure{"There is neither fabric nor a line at this moment to make a mesh of."};
     Builder builder;
-    complete(builder, meshOf(builder, surface, Normals::Given), surface);
+    std::vector<tinygltf::Mesh> meshes = meshesOf(builder, surface, Tubes(surface), Normals::Given);
+    addMaterials(builder, surface);
+    addNodes(builder, std::move(meshes));
     std::ostringstream out;
     if (auto failure = write(builder.model(), out, Container::Binary))
         return *failure;

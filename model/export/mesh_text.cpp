@@ -1,7 +1,7 @@
 // objText() writes positions, texture points and normals, then the faces, with a group where the
-// fabric changes, and the lines as the last group. One number serves as the index of position,
-// texture point and normal, since a vertex has one of each; OBJ counts from 1. The places in
-// pictures follow as further texture points, as many for each fabric that has one.
+// fabric changes, the lines as the last group, and what nothing holds. One number serves as the
+// index of position, texture point and normal, since a vertex has one of each; OBJ counts from 1.
+// The places in pictures follow as further texture points, as many for each fabric that has one.
 //
 // plyMoment() must declare its counts before the rows, so it first finds which panels and links
 // still stand. Then come particles with velocities, panels, and links with strain and tension.
@@ -54,6 +54,24 @@ void appendTexture(std::string& text, const std::vector<MeshAppearance::TextureP
     }
 }
 
+// Blender leaves out the vertices of an OBJ that no face and no line has, and a point cache would
+// not fit the others: each of them is a line of no length.
+std::string objLoose(const Surface& surface)
+{
+    std::vector<char> isHeld(surface.position.size(), 0);
+    for (const auto& corners : surface.panels)
+        for (const int corner : corners)
+            isHeld[std::size_t(corner)] = 1;
+    for (const auto& ends : surface.lines)
+        for (const int end : ends)
+            isHeld[std::size_t(end)] = 1;
+    std::string text;
+    for (std::size_t i = 0; i < isHeld.size(); ++i)
+        if (const std::string number = std::to_string(i + 1); !isHeld[i])
+            text += "l " + number + ' ' + number + '\n';
+    return text.empty() ? text : "g loose\n" + text;
+}
+
 std::string title(const Frame& frame)
 {
     std::string text = "Ripstop " + std::string(releaseVersion()) + ", t = ";
@@ -104,7 +122,7 @@ std::string objText(const Surface& surface)
     text += surface.lines.empty() ? "" : "g lines\n";
     for (const auto& [a, b] : surface.lines)
         text += "l " + std::to_string(a + 1) + ' ' + std::to_string(b + 1) + '\n';
-    return text;
+    return text + objLoose(surface);
 }
 
 Result<std::string> objMoment(const Frame& frame, const MeshAppearance& appearance)

@@ -1,7 +1,7 @@
 // Exported flights opened by the programs that they are for: Blender and ParaView, without a
 // window. Where one of them is not installed, its test says so and does not run.
 //
-// Stages: three flights, two of which tear, are exported; the program runs a script that reads the
+// Stages: five flights, two of which tear, are exported; the program runs a script that reads the
 // files and compares each frame with the places that the test has written beside them; the test
 // reads the largest distance from what the script prints.
 #include "export/export_run.h"
@@ -35,8 +35,9 @@ struct Flight
     bool isSplit; // or what tears goes from the mesh
 };
 
-constexpr std::array flights{Flight{"delta_kite", 10.0, false}, Flight{"torn_sheet", 2.0, false},
-                             Flight{"split_sheet", 2.0, true}};
+constexpr std::array flights{Flight{"delta_kite", 10.0, false}, Flight{"ripstop_kite", 4.0, false},
+                             Flight{"nylon_parachute", 2.0, false},
+                             Flight{"torn_sheet", 2.0, false}, Flight{"split_sheet", 2.0, true}};
 
 QJsonArray placesOf(const Frame& frame)
 {

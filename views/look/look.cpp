@@ -11,6 +11,7 @@
 
 #include "derived/fabric_picture.h"
 #include "derived/flat_panel.h"
+#include "derived/link_thickness.h"
 #include "derived/tear_bounds.h"
 #include "look/subject.h"
 #include "scene/particle_of.h"
@@ -20,8 +21,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <numbers>
 
 namespace ripstop {
 namespace {
@@ -199,20 +198,6 @@ std::map<Id, int> printsOf(const Scene& scene, const Layout& layout, Look& look)
     return numbers;
 }
 
-// A spar whose thickness nobody has said is the tube of thin wall that has its stiffnesses, with
-// EI = EA r^2 / 2; a line as thick as a solid one of its weight.
-constexpr double solidDensity = 1400.0; // kg/m^3, of polyester and of carbon in resin
-
-double thicknessOf(const Material& material)
-{
-    if (material.diameter > 0.0)
-        return material.diameter;
-    if (material.flexuralRigidity > 0.0 && material.axialStiffness.value_or(0.0) > 0.0)
-        return std::sqrt(8.0 * material.flexuralRigidity / *material.axialStiffness);
-    return std::sqrt(4.0 * material.linearDensity.value_or(0.0)
-                     / (std::numbers::pi * solidDensity));
-}
-
 Look::Form formOf(const Link& link, const Material* material)
 {
     if (link.role != LinkRole::Line)
@@ -272,7 +257,7 @@ Look lookOf(const Scene& scene, const Layout& layout)
         look.linkColor[i] = paint.color;
         const Link& link = row->part->links[row->index];
         look.linkForm[i] = formOf(link, paint.tears);
-        look.linkThickness[i] = paint.tears ? thicknessOf(*paint.tears) : 0.0;
+        look.linkThickness[i] = paint.tears ? linkThickness(*paint.tears) : 0.0;
         look.linkTear[i] = paint.tears ? linkTearOf(*paint.tears, link.role, link.width,
                                                     link.tearLimit, link.strengthFactor)
                                        : TearLimit();
