@@ -15,7 +15,7 @@ namespace {
 aiVector3D single(const Vec3& v) { return {ai_real(v.x()), ai_real(v.y()), ai_real(v.z())}; }
 
 // Some faces of a surface with those of its vertices that they use. An aiMesh deletes what it
-// holds.
+// holds. Lines have places alone: with more of them assimp writes Collada that breaks its schema.
 template <std::size_t corners>
 std::unique_ptr<aiMesh> meshOf(const Surface& surface, const std::vector<Vec3>& normals,
                                const std::vector<std::array<int, corners>>& faces,
@@ -34,11 +34,14 @@ std::unique_ptr<aiMesh> meshOf(const Surface& surface, const std::vector<Vec3>& 
     mesh->mName = name;
     mesh->mNumVertices = unsigned(used.size());
     mesh->mVertices = new aiVector3D[used.size()];
-    mesh->mNormals = new aiVector3D[used.size()];
     std::ranges::transform(used, mesh->mVertices,
                            [&](std::size_t i) { return single(surface.position[i]); });
-    std::ranges::transform(used, mesh->mNormals, [&](std::size_t i) { return single(normals[i]); });
-    if (!surface.texture.empty()) {
+    if (corners == 3) {
+        mesh->mNormals = new aiVector3D[used.size()];
+        std::ranges::transform(used, mesh->mNormals,
+                               [&](std::size_t i) { return single(normals[i]); });
+    }
+    if (corners == 3 && !surface.texture.empty()) {
         mesh->mNumUVComponents[0] = 2;
         mesh->mTextureCoords[0] = new aiVector3D[used.size()];
         std::ranges::transform(used, mesh->mTextureCoords[0], [&](std::size_t i) {

@@ -21,6 +21,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <QXmlStreamReader>
 #include <QtEndian>
 #include <QtTest>
 
@@ -141,6 +142,35 @@ private slots:
             QCOMPARE(mesh->texture[i][0], place.x() == 0.0 ? 0.25 : 0.75);
             QCOMPARE(mesh->texture[i][1], place.y() == 0.0 ? 0.25 : 1.0);
         }
+    }
+
+    // What faces and lines take their numbers from says which of these it is (COLLADA 1.4.1,
+    // "input" of a primitive); readers that check this, as Blender does, refuse the file otherwise.
+    void inputsOfColladaHaveOffsets()
+    {
+        QTemporaryDir folder;
+        const Scene scene = kite();
+        const QString path = folder.filePath("kite.dae");
+        QVERIFY(!writeMoment(*startOf(scene), MeshAppearance(scene), path.toStdString()));
+        QXmlStreamReader xml(contentOf(path));
+        QStringList within;
+        int inputs = 0;
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (xml.isEndElement())
+                within.pop_back();
+            if (!xml.isStartElement())
+                continue;
+            const bool isOfPrimitive =
+                !within.empty() && (within.back() == "lines" || within.back() == "polylist");
+            if (xml.name() == QString("input") && isOfPrimitive) {
+                QVERIFY2(xml.attributes().hasAttribute("offset"), qPrintable(within.join(" / ")));
+                ++inputs;
+            }
+            within.push_back(xml.name().toString());
+        }
+        QVERIFY(!xml.hasError());
+        QCOMPARE(inputs, 3 + 1); // place, normal and texture point of faces, the place of lines
     }
 
     // Two triangles that do not lie in one plane have two normals (binary STL: 84 bytes, then 50 of
