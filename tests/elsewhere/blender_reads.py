@@ -3,9 +3,9 @@
 blender --background --factory-startup --python blender_reads.py -- FOLDER
 
 FOLDER/expected.json has "fps" and "frames": for each frame the places of the vertices of what has not
-torn, in metres, y up. Every animation of the folder is opened. A line for some of its frames tells the
-largest distance between such a place and the nearest vertex; panels that are gone may have vertices
-elsewhere. The last line is "all read".
+torn, in metres, y up; "corners" those of the panels at first. Every animation of the folder is opened, and
+every mesh that is called moment. A line for some of its frames tells the largest distance between such a
+place and the nearest vertex; panels that are gone may have vertices elsewhere. The last line is "all read".
 """
 
 import json
@@ -61,6 +61,24 @@ def add_cache(thing, file, kind, fps):
     bpy.context.scene.render.fps = fps
 
 
+def moment_places(file):
+    """In the axes of the file: only OBJ and Collada are turned, since the others do not say what is up."""
+    operators = bpy.ops.import_mesh, bpy.ops.wm
+    found = places(
+        fresh(
+            {
+                ".ply": lambda: operators[0].ply(filepath=str(file)),
+                ".stl": lambda: operators[0].stl(filepath=str(file)),
+                ".dae": lambda: operators[1].collada_import(filepath=str(file)),
+                ".obj": lambda: operators[1].obj_import(filepath=str(file)),
+            }[file.suffix]
+        )
+    )
+    if file.suffix in (".ply", ".stl"):
+        return [mathutils.Vector((x, -z, y)) for x, y, z in found]
+    return found
+
+
 def report(name, frame, value):
     print(f"{name} frame {frame}: {value:.3g}")
 
@@ -73,7 +91,9 @@ def main(folder):
 
     for file in sorted(folder.iterdir()):
         name = str(file)
-        if file.suffix in (".glb", ".gltf"):
+        if file.stem == "moment":
+            report(file.name, 0, gap(expected_places(data["corners"]), moment_places(file)))
+        elif file.suffix in (".glb", ".gltf"):
             bpy.ops.wm.read_factory_settings(use_empty=True)
             bpy.context.scene.render.fps = fps
             bpy.ops.import_scene.gltf(filepath=name)

@@ -1,9 +1,9 @@
 // Exported flights opened by the programs that they are for: Blender and ParaView, without a
 // window. Where one of them is not installed, its test says so and does not run.
 //
-// Stages: five flights, two of which tear, are exported; the program runs a script that reads the
-// files and compares each frame with the places that the test has written beside them; the test
-// reads the largest distance from what the script prints.
+// Stages: five flights, two of which tear, are exported, and their starts as single meshes; the
+// program runs a script that reads the files and compares each frame with the places that the test
+// has written beside them; the test reads the largest distance from what the script prints.
 #include "export/export_run.h"
 #include "export/surface.h"
 #include "model/sample_scenes.h"
@@ -47,17 +47,19 @@ QJsonArray placesOf(const Frame& frame)
     return places;
 }
 
+enum class Lines { Taken, Left };
+
 // Corners of panels that still stand, and ends of lines.
-QJsonArray standingPlacesOf(const Frame& frame, const MeshAppearance& appearance)
+QJsonArray standingPlacesOf(const Surface& surface, Lines lines = Lines::Taken)
 {
-    const Surface surface = surfaceOf(frame, appearance);
     std::vector<char> used(surface.position.size(), 0);
     for (const auto& panel : surface.panels)
         for (const int corner : panel)
             used[std::size_t(corner)] = 1;
-    for (const auto& line : surface.lines)
-        for (const int end : line)
-            used[std::size_t(end)] = 1;
+    if (lines == Lines::Taken)
+        for (const auto& line : surface.lines)
+            for (const int end : line)
+                used[std::size_t(end)] = 1;
     QJsonArray places;
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) {
@@ -85,7 +87,7 @@ Expected fly(const Flight& flight)
         const auto frame = simulation.frame();
         expected.times.append(frame->time);
         expected.all.append(placesOf(*frame));
-        expected.standing.append(standingPlacesOf(*frame, appearance));
+        expected.standing.append(standingPlacesOf(surfaceOf(*frame, appearance)));
     }
     return expected;
 }
@@ -163,13 +165,20 @@ private slots:
             const auto failure = exported(flight, folder.filePath(name));
             QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         }
+        const Simulation simulation = started(flight.scene);
+        const Frame start = *simulation.frame();
+        const MeshAppearance appearance(sample(flight.scene));
+        for (const char* name : {"moment.obj", "moment.ply", "moment.stl", "moment.dae"})
+            QVERIFY(!writeMoment(start, appearance, folder.filePath(name).toStdString()));
         QVERIFY(write(folder.filePath("expected.json"),
-                      {{"fps", fps}, {"frames", fly(flight).standing}}));
+                      {{"fps", fps},
+                       {"frames", fly(flight).standing},
+                       {"corners", standingPlacesOf(surfaceOf(start, appearance), Lines::Left)}}));
         const Reading reading =
             read(program, {"--background", "--factory-startup", "--python",
                            SOURCE_DIR "/tests/elsewhere/blender_reads.py", "--", folder.path()});
         QVERIFY2(reading.text.contains("all read"), reading.text.constData());
-        QCOMPARE(reading.count, 3 * 4);
+        QCOMPARE(reading.count, 3 * 4 + 4);
         QVERIFY2(reading.largest < rounding, reading.text.constData());
     }
 
