@@ -135,6 +135,8 @@ SailFrame addHalves(Network& network, const DeltaShape& shape, const SailCut& cu
         sewHalf(network, nodes, side, materials);
         for (std::size_t row = 1; row < nodes.size(); ++row)
             frame.leadingEdges.push_back(nodes[row].back());
+        const std::vector<Id>& last = nodes.back();
+        frame.trailingEdge.insert(frame.trailingEdge.end(), last.begin() + 1, last.end() - 1);
     }
     return frame;
 }

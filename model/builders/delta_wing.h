@@ -38,6 +38,8 @@ struct SailFrame
 {
     std::vector<Id> leadingEdges; // nose, and from there both sides to the tips
     std::vector<Id> axis;         // the nose, and evenly from there to the trailing edge
+    // Of halves, between keel and tip, from the keel out, the left half first.
+    std::vector<Id> trailingEdge = {};
 
     static SailFrame of(const Lattice& lattice);
 };

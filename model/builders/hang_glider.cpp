@@ -12,7 +12,8 @@
 // Of a cloth that one can buy (builders/craft_materials.h) the sail is two halves that are sewn
 // along the keel, carried by panels, with tubes in the leading edges and the keel. Frame, pilot and
 // wires hold these at the nose, along the keel and where the cross tube meets them: outside of it
-// they bend, and the trailing edge is free.
+// they bend. The trailing edge is free to rise, and luff lines from the king post, which is the
+// rigidity particle above the sail, keep it from sinking.
 #include "builders/craft_materials.h"
 #include "builders/delta_wing.h"
 #include "builders/designs.h"
@@ -56,6 +57,8 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"billow",      "",      0.02,  0, 0.3,   false, "Arch of the sail between keel and leading edge, over its local half width."},
     {"washout",     "deg",   7,     -10, 40,    false, "How much less the tips meet the wind than the root; gives pitch stability to a swept wing."},
     {"reflex",      "",      0.02,  -0.1, 0.2,   false, "Rise of the rear end of the keel over its length; gives pitch stability."},
+    {"luff_lines",  "",      0,     0, 3,     true,  "Lines from the king post to the trailing edge of each half of real cloth: slack in flight, they hold it up in a dive, where it would flap down and take the nose with it.", {}, {}, 2, isNotZero("cloth")},
+    {"luff_slack",  "m",     0,     0, 1,     false, "How far the trailing edge may sink below where it is cut before they hold it.", {}, {}, {}, isNotZero("luff_lines")},
     {"lift_slope",  "1/rad", 4.0,   0.1, 8,     false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a taut delta of aspect ratio A, 3.1 fits the first, slack Rogallo wings.", "Air"},
     {"vortex",      "",      0,     0, 1,     true,  "1 flies with the vortex law, which finds lift slope and induced drag from the shape of the wing; 0 with the plate law and the lift slope above."},
     {"drag",        "",      0.06,  0, 0.5,   false, "Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin friction."},
@@ -165,6 +168,35 @@ Wing addRealSail(Network& network, const DeltaShape& shape, const Parameters& p,
     return wing;
 }
 
+// Evenly along each half, the outermost at three quarters of it: what a tip loses in a dive turns
+// the nose most. What lies below the trailing edge by the slack is as far from the king post as a
+// line is long.
+void addLuffLines(Network& network, const Parameters& p, const Wing& wing,
+                  const Materials& materials)
+{
+    const std::vector<Id>& edge = wing.frame.trailingEdge;
+    const std::size_t nodes = edge.size() / 2; // of a half
+    const std::size_t lines = std::min(std::size_t(p.at("luff_lines")), nodes);
+    if (lines == 0)
+        return;
+    const Id post = wing.stiffeners.front();
+    const Vec3 top = network.position(post);
+    const Id foot = *std::ranges::min_element(wing.frame.axis, {}, [&](Id node) {
+        return std::abs(network.position(node).x() - top.x());
+    });
+    network.linkBetween(post, foot)->material = materials.wires; // which is seen
+    for (std::size_t line = 1; line <= lines; ++line) {
+        const double out = 0.75 * double(line) / double(lines) * double(nodes + 1);
+        const std::size_t at = std::clamp<std::size_t>(std::size_t(std::lround(out)), 1, nodes);
+        for (const std::size_t half : {0u, 1u}) {
+            const Id node = edge[half * nodes + at - 1];
+            const Vec3 lowest = network.position(node) - p.at("luff_slack") * Vec3::UnitY();
+            network.rod(post, node, materials.wires, Resists::Tension);
+            network.setRestLength((lowest - top).norm());
+        }
+    }
+}
+
 // Shared equally for an ideal wing; else tubes weigh where they are, fittings hang on what the
 // control frame is tied to, and the cloth has its mass already.
 void addWingMass(Network& network, const Parameters& p, const Wing& wing,
@@ -196,6 +228,7 @@ Wing addWing(Network& network, const Parameters& p, const Materials& materials)
     Wing wing = isIdeal(p, "cloth") ? addIdealSail(network, shape, int(p.at("segments")), materials)
                                     : addRealSail(network, shape, p, materials);
     wing.stiffeners = addStiffeners(network, shape, wing.held, materials.frame);
+    addLuffLines(network, p, wing, materials);
     const double depth = p.at("pilot_depth");
     wing.foot = network.particle({-0.6 * shape.chord, -1.25 * depth, 0.0});
     addWingMass(network, p, wing, materials);

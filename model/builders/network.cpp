@@ -120,6 +120,14 @@ void Network::addFabricMass(double density, Id material)
     }
 }
 
+Link* Network::linkBetween(Id a, Id b)
+{
+    const auto found = std::ranges::find_if(m_part.links, [&](const Link& link) {
+        return (link.from == a && link.to == b) || (link.from == b && link.to == a);
+    });
+    return found == m_part.links.end() ? nullptr : &*found;
+}
+
 double Network::lengthOf(Id material) const
 {
     double length = 0.0;

@@ -48,6 +48,7 @@ public:
     // of one material only where that is said.
     void addFabricMass(double density, Id material = noId);
 
+    Link* linkBetween(Id a, Id b);      // the first; null for none
     double lengthOf(Id material) const; // m, of all links of this material
 
     // Gives both ends of each link of this material half of what it weighs; density in kg/m.

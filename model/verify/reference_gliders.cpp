@@ -27,6 +27,7 @@ struct ReferenceWing
     const char* cloth = "ideal"; // keeps its shape
     const char* spars = "ideal";
     const char* made = "ideal"; // in words
+    double luffLines = 0.0;     // of each half; the first Rogallos had none
 };
 
 struct Point
@@ -42,6 +43,7 @@ std::unique_ptr<Simulation> flown(const ReferenceWing& wing, Parameters given)
          {std::pair("cloth", wing.cloth), std::pair("spars", wing.spars)})
         given[parameter] = choiceOf("hang_glider", parameter, choice);
     if (given["cloth"] > 0.0) {
+        given["luff_lines"] = wing.luffLines;
         given["fittings"] = 1.0;
         const auto light = design("hang_glider", given);
         if (!light)
@@ -114,12 +116,13 @@ double sinkAt(const std::vector<Point>& polar, double speed) // m/s, between the
 
 // A wing of real materials, and the ideal one.
 std::array<ReferenceWing, 2> both(ReferenceWing wing, const char* cloth, const char* spars,
-                                  const char* made)
+                                  const char* made, double luffLines = 0.0)
 {
     const ReferenceWing ideal = wing;
     wing.cloth = cloth;
     wing.spars = spars;
     wing.made = made;
+    wing.luffLines = luffLines;
     return {wing, ideal};
 }
 
@@ -128,7 +131,7 @@ void addSingleSurfaces(Row row)
 {
     const ReferenceWing wing{"single surface, USHPA-2", 15.5, 5.5, 100.0, AirLaw::Vortex, 0.045};
     for (const ReferenceWing& single :
-         both(wing, "dacron_sail", "aluminium_50", "Dacron on 50 mm tubes")) {
+         both(wing, "dacron_sail", "aluminium_50", "Dacron on 50 mm tubes, luff lines", 2.0)) {
         const auto polar = shared([=] { return polarOf(single); });
         row(single, "best glide", 9.5, 9.5, "", "XCSoar PolarStore",
             [=] { return bestGlide(polar()); });
@@ -149,7 +152,7 @@ void addTopless(Row row)
 {
     const ReferenceWing wing{"topless, USHPA-4", 14.0, 7.2, 100.0, AirLaw::Vortex, 0.03};
     for (const ReferenceWing& topless :
-         both(wing, "laminate_scrim", "aluminium_62", "laminate on 62 mm tubes")) {
+         both(wing, "laminate_scrim", "aluminium_62", "laminate on 62 mm tubes, luff lines", 2.0)) {
         const auto polar = shared([=] { return polarOf(topless); });
         row(topless, "best glide", 13.4, 13.4, "", "XCSoar PolarStore",
             [=] { return bestGlide(polar()); });

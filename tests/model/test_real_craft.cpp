@@ -160,6 +160,48 @@ private slots:
                  qPrintable(QString("%1 of %2 kg").arg(massOf(part)).arg(expected)));
     }
 
+    // Two on each side, from one post to nodes of the trailing edge, as long as the way there as it
+    // is cut. With a slack each is as long as the way to a place below its node: from
+    // L^2 = d^2 + 2 s h + s^2 follows how far the post stands above, whatever the slack.
+    void luffLinesAreAsLongAsTheSailIsCut()
+    {
+        const auto linesOf = [](double slack) {
+            const Scene scene =
+                craft("hang_glider", dacron({{"luff_lines", 2.0}, {"luff_slack", slack}}));
+            std::vector<Link> lines;
+            for (const Link& link : partOf(scene).links)
+                if (link.resists == Resists::Tension
+                    && findItem<Material>(scene, link.material)->name == "wire")
+                    lines.push_back(link);
+            return std::pair(scene, lines);
+        };
+        const auto [scene, taut] = linesOf(0.0);
+        const auto slack = linesOf(0.1).second, slacker = linesOf(0.3).second;
+        QCOMPARE(taut.size(), std::size_t(4));
+        QCOMPARE(linesOf(0.0).first, scene);
+        const Part& part = partOf(scene);
+        const auto isOnHem = [&](Id node) {
+            return std::ranges::any_of(part.links, [&](const Link& link) {
+                return (link.from == node || link.to == node)
+                       && findItem<Material>(scene, link.material)->name == "hem";
+            });
+        };
+        for (std::size_t i = 0; i < taut.size(); ++i) {
+            QCOMPARE(taut[i].from, taut[0].from);
+            QVERIFY(isOnHem(taut[i].to));
+            const Vec3 way = findRow(part.particles, taut[i].to)->position
+                             - findRow(part.particles, taut[i].from)->position;
+            QVERIFY(std::abs(taut[i].restLength - way.norm()) < 1e-9);
+            const auto above = [&](const Link& line, double s) {
+                return (line.restLength * line.restLength - way.squaredNorm() - s * s) / (2.0 * s);
+            };
+            QVERIFY(above(slack[i], 0.1) > 0.0);
+            QVERIFY(std::abs(above(slack[i], 0.1) - above(slacker[i], 0.3)) < 1e-9);
+        }
+        QCOMPARE(partOf(craft("hang_glider", {{"luff_lines", 2.0}})).links,
+                 partOf(craft("hang_glider", {})).links); // an ideal sail holds itself
+    }
+
     // The warp of flat cloth runs along the middle of each gore, or at the grain to it. The picture
     // that is printed on it is the cloth as it is cut.
     void warpFollowsTheGores_data()

@@ -2,7 +2,7 @@
 // it alone, and all sink as such craft do, whatever their mesh and their cloth.
 //
 // Stages: the canopy that collapses, its start, the one that opens, the cross; then the limit of
-// stiff cloth, meshes, cloths, tubes that bend, the glider.
+// stiff cloth, meshes, cloths, tubes that bend, luff lines, the glider.
 #include "model/real_craft.h"
 #include "model/systems.h"
 #include "registered_test.h"
@@ -297,6 +297,25 @@ private slots:
         const double stiff = rise(2e6), soft = rise(1500.0);
         qInfo("tips bend %.3f and %.3f m", stiff, soft);
         QVERIFY(soft > 3.0 * stiff);
+    }
+
+    // A sail that is pressed down in a dive loses the twist that turns the nose up, and dives on;
+    // lines that keep its edge where it is cut leave the wing nearer to the speed that it is
+    // trimmed for. In slow flight the edge rises and they do nothing.
+    void luffLinesHoldADive()
+    {
+        const auto speedOf = [](double trim, double lines) {
+            Simulation simulation(*compile(
+                craft("hang_glider",
+                      dacron({{"altitude", 1000.0}, {"speed", trim}, {"luff_lines", lines}}))));
+            if (!simulation.runUntil(40.0))
+                qFatal("it did not fly");
+            return probe(simulation, "speed");
+        };
+        QVERIFY(std::abs(speedOf(11.0, 2.0) / speedOf(11.0, 0.0) - 1.0) < 1e-3);
+        const double without = speedOf(16.0, 0.0), with = speedOf(16.0, 2.0);
+        qInfo("trimmed for 16 m/s it flies at %.2f m/s, with lines at %.2f", without, with);
+        QVERIFY(std::abs(with - 16.0) < 0.6 * std::abs(without - 16.0));
     }
 
     // As the ideal one does: a glide ratio above 2, held (validation 4.7).
