@@ -30,6 +30,8 @@ Id addGround(Scene& scene)
 
 Id addGroup(Scene& scene, std::string name, std::vector<Id> members)
 {
+    if (members.empty())
+        return noId;
     return addItem(scene, Group{std::move(name), std::move(members)});
 }
 

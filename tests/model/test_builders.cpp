@@ -164,7 +164,8 @@ private slots:
     }
 
     // Every builder at its defaults and at both ends of every range gives a scene that may run,
-    // free of load, with ids in order; where a limit does not go with the rest, it says so.
+    // free of load, with ids in order and something in each group; where a limit does not go with
+    // the rest, it says so.
     void soundAcrossRanges_data()
     {
         QTest::addColumn<QString>("name");
@@ -193,6 +194,10 @@ private slots:
             if (hasErrors(problems))
                 QFAIL(qPrintable(what + ": "
                                  + QString::fromStdString(problems[0].message.english())));
+            for (const Entry& entry : scene->items)
+                if (const Group* group = std::get_if<Group>(&entry.item))
+                    QVERIFY2(!group->members.empty(),
+                             qPrintable(what + ": " + QString::fromStdString(group->name)));
             forEachPart(*scene, [&](Id, const Part& part) {
                 checkPart(part, what);
                 QCOMPARE(part.builder, std::string(builder.name));
