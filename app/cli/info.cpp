@@ -100,6 +100,7 @@ Json describe(const Scene& scene)
     const std::optional<StepLimit> limit = stepLimit(scene);
     info["stable_substep"] = limit ? Json(limit->timeStep) : Json();
     info["stable_time_step"] = limit ? Json(limit->timeStep * scene.settings.substeps) : Json();
+    info["limited_by"] = limit ? Json(limit->cause.said().english()) : Json();
     info["parts"] = std::move(parts);
     info["problems"] = Json::array();
     for (const Finding& problem : problemsOf(scene))
@@ -144,8 +145,9 @@ void printTable(const Json& info)
     row("rod solver", info["solver"].get<std::string>()
                           + (chosen ? ": " + info["solver_choice"].get<std::string>() : ""));
     if (!info["stable_time_step"].is_null())
-        row("stable up to", shortNumber(info["stable_time_step"])
-                                + " s, for springs and bending at this number of substeps");
+        row("stable up to", shortNumber(info["stable_time_step"]) + " s, for "
+                                + info["limited_by"].get<std::string>()
+                                + " at this number of substeps");
     for (const Json& part : info["parts"])
         row("part " + part["name"].get<std::string>(),
             std::to_string(part["particles"].get<long>()) + " particles, "

@@ -49,8 +49,8 @@ void printNotes(const Scene& scene, const PresetEdit& made)
     const std::optional<StepLimit> limit = stepLimit(scene);
     const Settings& settings = scene.settings;
     if (limit && exceeds(settings, *limit))
-        std::cout << "The springs need shorter substeps now: settings.substeps="
-                  << substepsWithin(*limit, settings) << '\n';
+        std::cout << "Substeps have to be shorter now for " << limit->cause.said().english()
+                  << ": settings.substeps=" << substepsWithin(*limit, settings) << '\n';
 }
 
 Result<std::vector<Id>> materialsCalled(const Scene& scene, const std::vector<std::string>& names)

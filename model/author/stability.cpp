@@ -75,16 +75,15 @@ std::optional<Finding> timeStep(const Look& look)
     });
     if (!std::isfinite(least))
         return std::nullopt;
-    const bool adapts = limits.bends && settings.solver == Solver::Auto;
+    const bool adapts = limits.cause.bending && settings.solver == Solver::Auto;
     if (finding.culprits.empty() || adapts) {
         finding.message =
             settings.solver == Solver::Auto
-                ? Message("The time step is %1 s. The springs and the bending allow substeps of up "
-                          "to %2 s, and the automatic solver keeps to it.",
-                          shortNumber(settings.timeStep), shortNumber(least))
-                : Message("The substep is %1 s and may be up to %2 s for the springs and the "
-                          "bending.",
-                          shortNumber(substep), shortNumber(least));
+                ? Message("The time step is %1 s. Substeps may be up to %2 s for %3, and the "
+                          "automatic solver keeps to it.",
+                          shortNumber(settings.timeStep), shortNumber(least), limits.cause.said())
+                : Message("The substep is %1 s and may be up to %2 s for %3.", shortNumber(substep),
+                          shortNumber(least), limits.cause.said());
         finding.culprits = {worst};
         return finding;
     }
@@ -96,7 +95,7 @@ std::optional<Finding> timeStep(const Look& look)
                                     shortNumber(substep), shortNumber(least))
                           : Message("%1 particles need a shorter substep than %2 s, down to %3 s.",
                                     count, shortNumber(substep), shortNumber(least));
-    const int wanted = substepsWithin({least, worst}, settings);
+    const int wanted = substepsWithin({least, worst, limits.cause}, settings);
     if (settings.timeStep / wanted <= least)
         finding.repair = setting(Message("Take %1 substeps", wanted),
                                  propertyOf<&Settings::substeps>(), {settingsId}, {wanted});

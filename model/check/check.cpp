@@ -41,7 +41,7 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
         for (const Particle& particle : part.particles) {
             const double h = limits.timeStep[i++];
             if (std::isfinite(h) && (!limit || h < limit->timeStep))
-                limit = StepLimit{h, particle.id, limits.bends};
+                limit = StepLimit{h, particle.id, limits.cause};
         }
     });
     return limit;
@@ -396,7 +396,7 @@ private:
         const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
         if (!limit)
             return;
-        if (limit->bends && settings.solver == Solver::Auto
+        if (limit->cause.bending && settings.solver == Solver::Auto
             && settings.timeStep > mostSubsteps * limit->timeStep)
             return add("step", Severity::Warning,
                        Message("The bending at particle %1 needs substeps of %2 s, and the "
@@ -411,10 +411,10 @@ private:
         const double h = settings.timeStep / settings.substeps;
         add("step", Severity::Warning,
             Message(
-                "The substep of %1 s is above the %2 s that springs and bending at particle %3 "
-                "may need: shorten the time step, add substeps, or lower stiffness and damping.",
+                "The substep of %1 s is above the %2 s that particle %3 may need for %4: shorten "
+                "the time step, add substeps, or lower stiffness and damping.",
                 Message::number("%.3g", h), Message::number("%.3g", limit->timeStep),
-                std::uint32_t(limit->particle)),
+                std::uint32_t(limit->particle), limit->cause.said()),
             limit->particle);
     }
 
@@ -463,7 +463,7 @@ bool hasErrors(const std::vector<Finding>& problems)
 bool exceeds(const Settings& settings, const StepLimit& limit)
 {
     return settings.timeStep / settings.substeps > limit.timeStep
-           && !(limit.bends && settings.solver == Solver::Auto);
+           && !(limit.cause.bending && settings.solver == Solver::Auto);
 }
 
 int substepsWithin(const StepLimit& limit, const Settings& settings)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "check/finding.h"
+#include "check/step_limits.h"
 
 namespace ripstop {
 
@@ -30,7 +31,7 @@ struct StepLimit
 {
     double timeStep; // s
     Id particle;
-    bool bends = false; // something resists bending, so that Solver::Auto keeps to the limit
+    StepLimitCause cause; // with bending, Solver::Auto keeps to the limit
 };
 std::optional<StepLimit> stepLimit(const Scene& scene);
 

@@ -94,6 +94,13 @@ std::vector<Sums> sumsOfSprings(const Scene& scene, const ElementIndex& index, b
 
 } // namespace
 
+Message StepLimitCause::said() const
+{
+    if (springs && bending)
+        return Message("springs and bending");
+    return springs ? Message("springs") : bending ? Message("bending") : Message();
+}
+
 SpringNumbers springNumbers(const Link& link, const Material& material)
 {
     return {link.stiffness.value_or(springStiffness(material, link)),
@@ -126,6 +133,8 @@ StepLimits stepLimitsOf(const Scene& scene, const ElementIndex& index)
     StepLimits limits;
     limits.springsTogether = springsAreTogether(scene, index);
     std::vector<Sums> at = sumsOfSprings(scene, index, limits.springsTogether);
+    limits.cause.springs =
+        std::ranges::any_of(at, [](const Sums& s) { return s.stiffness > 0.0 || s.damping > 0.0; });
     const auto isRod = [&](const Link& link) {
         return link.kind == LinkKind::Rod
                || (limits.springsTogether && numbersOf(scene, index, link).stiffness > 0.0);
@@ -133,7 +142,7 @@ StepLimits stepLimitsOf(const Scene& scene, const ElementIndex& index)
     const std::vector<double> bends = bendSumsOf(scene, index, isRod);
     for (std::size_t k = 0; k < bends.size(); ++k)
         at[k].stiffness += bends[k];
-    limits.bends = std::ranges::any_of(bends, [](double sum) { return sum > 0.0; });
+    limits.cause.bending = std::ranges::any_of(bends, [](double sum) { return sum > 0.0; });
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& particle : part.particles)
             limits.timeStep.push_back(

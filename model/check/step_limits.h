@@ -9,15 +9,26 @@
 // damp, stay forces.
 #pragma once
 
+#include "base/message.h"
 #include "scene/element_index.h"
 #include "scene/scene.h"
 
 namespace ripstop {
 
+// What a limit comes from.
+struct StepLimitCause
+{
+    bool springs = false; // some spring pulls or damps as a force
+    bool bending = false; // something resists bending, as a force
+
+    // "springs", "bending", or "springs and bending"; empty when nothing asks.
+    Message said() const;
+};
+
 struct StepLimits
 {
     std::vector<double> timeStep; // s, [particles] through all parts; infinity where nothing asks
-    bool bends = false;           // something resists bending, as a force
+    StepLimitCause cause;
     bool springsTogether = false; // with rods
 };
 StepLimits stepLimitsOf(const Scene& scene, const ElementIndex& index);

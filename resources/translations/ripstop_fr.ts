@@ -620,8 +620,8 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>The substep of %1 s is above the %2 s that springs and bending at particle %3 may need: shorten the time step, add substeps, or lower stiffness and damping.</source>
-        <translation>Le sous-pas de %1 s dépasse les %2 s que peuvent demander ressorts et flexion à la particule %3 : raccourcir le pas de temps, ajouter des sous-pas, ou baisser raideur et amortissement.</translation>
+        <source>The substep of %1 s is above the %2 s that particle %3 may need for %4: shorten the time step, add substeps, or lower stiffness and damping.</source>
+        <translation>Le sous-pas de %1 s dépasse les %2 s dont la particule %3 peut avoir besoin pour %4 : raccourcissez le pas de temps, ajoutez des sous-pas, ou diminuez la raideur et l’amortissement.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -9645,13 +9645,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>The substep is %1 s and may be up to %2 s for the springs and the bending.</source>
-        <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour les ressorts et la flexion.</translation>
+        <source>The substep is %1 s and may be up to %2 s for %3.</source>
+        <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour %3.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
-        <source>The time step is %1 s. The springs and the bending allow substeps of up to %2 s, and the automatic solver keeps to it.</source>
-        <translation>Le pas de temps est de %1 s. Les ressorts et la flexion permettent des sous-pas de %2 s au plus, et le solveur automatique s’y tient.</translation>
+        <source>The time step is %1 s. Substeps may be up to %2 s for %3, and the automatic solver keeps to it.</source>
+        <translation>Le pas de temps est de %1 s. Les sous-pas peuvent aller jusqu’à %2 s pour %3, et le solveur automatique s’y tient.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9867,6 +9867,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study.cpp"/>
         <source>is no study: line %1, column %2 %3</source>
         <translation>n’est pas une étude : ligne %1, colonne %2 %3</translation>
+    </message>
+    <message>
+        <location filename="step_limits.cpp"/>
+        <source>springs and bending</source>
+        <translation>les ressorts et la flexion</translation>
     </message>
     <message>
         <location filename="study.cpp"/>

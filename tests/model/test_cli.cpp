@@ -187,6 +187,7 @@ private slots:
         // h = sqrt(2 m / k) = 0.1 s for a substep, twice that for a time step
         QVERIFY(std::abs(info["stable_substep"].toDouble() - 0.1) < 1e-12);
         QVERIFY(std::abs(info["stable_time_step"].toDouble() - 0.2) < 1e-12);
+        QCOMPARE(info["limited_by"].toString(), QString("springs"));
         // the massless particle is a problem to be shown, and cannot be run
         const QJsonObject problem = info["problems"].toArray().first().toObject();
         QCOMPARE(problem["severity"].toString(), QString("error"));

@@ -4,6 +4,7 @@
 // iterations, lengths, tears at once, loose or double elements) with its measure by hand and what
 // its repair does.
 #include "author/stability.h"
+#include "check/check.h"
 #include "registered_test.h"
 
 #include <QtTest>
@@ -103,6 +104,42 @@ private slots:
         QVERIFY(about(scene, "Time step")->culprits == (std::vector{Id{101}, Id{102}, Id{103}}));
         repair(scene, "Time step");
         QVERIFY(scene.settings.substeps >= 3);
+    }
+
+    void timeStepNamesWhatIsThere_data()
+    {
+        QTest::addColumn<LinkKind>("kind");
+        QTest::addColumn<double>("rigidity"); // N m^2
+        QTest::addColumn<QString>("named");
+
+        QTest::newRow("springs") << LinkKind::Spring << 0.0 << "springs";
+        QTest::newRow("rods that bend") << LinkKind::Rod << 1.0 << "bending";
+        QTest::newRow("springs that bend") << LinkKind::Spring << 1.0 << "springs and bending";
+    }
+
+    // Neither of them is spoken of where it is not.
+    void timeStepNamesWhatIsThere()
+    {
+        QFETCH(LinkKind, kind);
+        QFETCH(double, rigidity);
+        QFETCH(QString, named);
+        Scene scene = chain(4);
+        for (Link& link : part(scene).links)
+            link.kind = kind;
+        cord(scene).stiffness = 100.0; // N/m
+        cord(scene).flexuralRigidity = rigidity;
+        scene.settings.timeStep = 1e-4;
+        const auto fine = about(scene, "Time step", Severity::Fine);
+        QVERIFY(fine);
+        QVERIFY2(QString::fromStdString(fine->message.english()).endsWith(" s for " + named + "."),
+                 fine->message.english().c_str());
+
+        scene.settings.timeStep = 0.5;
+        const std::vector<Finding> problems = problemsOf(scene);
+        QCOMPARE(problems.size(), std::size_t(1));
+        QVERIFY2(QString::fromStdString(problems[0].message.english())
+                     .contains(" may need for " + named + ": shorten"),
+                 problems[0].message.english().c_str());
     }
 
     // One sweep finds the pull of a rod of compliance c too soft by (wa + wb) h^2 / c: 10 g at both
