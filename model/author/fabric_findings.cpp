@@ -1,6 +1,7 @@
 // A function for each question, which makes one finding or none for the whole scene.
 #include "author/fabric_findings.h"
 
+#include "check/flutter_check.h"
 #include "derived/panel_fabric.h"
 #include "derived/scattered_warps.h"
 #include "derived/thread_fabric.h"
@@ -79,12 +80,27 @@ std::optional<Finding> warpsEveryWay(const Scene& scene)
     return finding;
 }
 
+// Symmetry tells it no side to which it could go, so that the solver never moves it aside.
+std::optional<Finding> staysFlat(const Scene& scene)
+{
+    std::vector<Id> parts = partsThatStayFlat(scene);
+    if (parts.empty())
+        return std::nullopt;
+    std::ranges::sort(parts);
+    Finding finding{Severity::Fine, {}, std::move(parts), "flat", Message("Fabric")};
+    finding.message = Message(
+        "All of it lies in one upright plane, to the last digit, and without a wind nothing "
+        "moves it aside: it stays there. A wind of 0.1 m/s across it, or a little speed of "
+        "one particle, lets it swing and fold.");
+    return finding;
+}
+
 } // namespace
 
 std::vector<Finding> fabricFindings(const Scene& scene)
 {
     std::vector<Finding> findings;
-    for (auto examine : {carriedByNothing, carriedTwice, warpsEveryWay})
+    for (auto examine : {carriedByNothing, carriedTwice, warpsEveryWay, staysFlat})
         if (auto finding = examine(scene))
             findings.push_back(std::move(*finding));
     return findings;

@@ -2605,6 +2605,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="fabric_findings.cpp"/>
+        <source>All of it lies in one upright plane, to the last digit, and without a wind nothing moves it aside: it stays there. A wind of 0.1 m/s across it, or a little speed of one particle, lets it swing and fold.</source>
+        <translation>Tout se trouve dans un même plan vertical, au dernier chiffre près, et sans vent rien ne l’en écarte : il y reste. Un vent de 0,1 m/s en travers, ou un peu de vitesse à une particule, le laisse se balancer et se plier.</translation>
+    </message>
+    <message>
+        <location filename="fabric_findings.cpp"/>
         <source>All panels of a fabric have one grain, which each counts from its own side ab, so that warps lie up to %1 degrees apart.</source>
         <translation>Tous les panneaux d’un tissu ont le même droit-fil, que chacun compte depuis son propre côté ab, si bien que les chaînes s’écartent de jusqu’à %1 degrés.</translation>
     </message>

@@ -5,13 +5,20 @@
 // its repair does.
 #include "author/stability.h"
 #include "check/check.h"
+#include "compile/compile.h"
 #include "registered_test.h"
+#include "simulation/simulation.h"
 
 #include <QtTest>
+
+#include <cmath>
+#include <functional>
 
 namespace ripstop::test_stability {
 
 namespace {
+
+using Change = std::function<void(Scene&)>;
 
 constexpr Id partId{1};
 constexpr Id materialId{2};
@@ -36,6 +43,32 @@ Scene chain(int count)
     scene.settings.substeps = 1;
     scene.settings.solver = Solver::GaussSeidel;
     scene.items = {{partId, part}, {materialId, Material{"cord"}}};
+    scene.nextId = Id{2000};
+    return scene;
+}
+
+// Four particles, the upper two pinned, with rods around and across, and two panels.
+Scene square()
+{
+    Part part{"sheet"};
+    const auto particle = [](std::uint32_t id, const Vec3& place, bool pinned) {
+        return Particle{.id = Id{id}, .position = place, .mass = 0.01, .pinned = pinned};
+    };
+    part.particles = {particle(100, {0.0, 2.0, 0.0}, true), particle(101, {1.0, 2.0, 0.0}, true),
+                      particle(102, {0.0, 1.0, 0.0}, false), particle(103, {1.0, 1.0, 0.0}, false)};
+    const auto rod = [](std::uint32_t id, std::uint32_t from, std::uint32_t to, double length) {
+        return Link{.id = Id{id},
+                    .from = Id{from},
+                    .to = Id{to},
+                    .material = materialId,
+                    .restLength = length};
+    };
+    part.links = {rod(1000, 100, 102, 1.0), rod(1001, 101, 103, 1.0), rod(1002, 102, 103, 1.0),
+                  rod(1003, 100, 103, std::sqrt(2.0))};
+    part.panels = {{Id{1500}, Id{100}, Id{102}, Id{103}, materialId},
+                   {Id{1501}, Id{100}, Id{103}, Id{101}, materialId}};
+    Scene scene;
+    scene.items = {{partId, part}, {materialId, Material{"cloth"}}};
     scene.nextId = Id{2000};
     return scene;
 }
@@ -140,6 +173,75 @@ private slots:
         QVERIFY2(QString::fromStdString(problems[0].message.english())
                      .contains(" may need for " + named + ": shorten"),
                  problems[0].message.english().c_str());
+    }
+
+    void staysFlat_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<bool>("isTold");
+        const auto row = [](const char* name, bool isTold, Change change) {
+            QTest::newRow(name) << change << isTold;
+        };
+        row("hangs by its upper edge", true, [](Scene&) {});
+        row("a calm", true, [](Scene& s) { s.items.push_back({Id{500}, Wind{}}); });
+        row("a floor below", true, [](Scene& s) { s.items.push_back({Id{500}, Collider{}}); });
+        row("pulled within the plane", true, [](Scene& s) {
+            s.items.push_back({Id{500}, Control{}});
+        });
+        row("wind in a vacuum", true, [](Scene& s) {
+            s.items.push_back({Id{500}, Wind{.velocity = {0.0, 0.0, 1.0}}});
+            s.settings.airDensity = 0.0;
+        });
+        row("wind across", false, [](Scene& s) {
+            s.items.push_back({Id{500}, Wind{.velocity = {0.0, 0.0, 0.1}}});
+        });
+        row("gusts", false, [](Scene& s) {
+            s.items.push_back({Id{500}, Wind{.kind = WindKind::Gusts}});
+        });
+        row("speed aside", false, [](Scene& s) {
+            part(s).particles[3].velocity = {0.0, 0.0, 1e-3};
+        });
+        row("a corner aside", false, [](Scene& s) { part(s).particles[3].position.z() = 1e-6; });
+        row("another part aside", false, [](Scene& s) {
+            Part weight{"weight"};
+            weight.particles = {{.id = Id{600}, .position = {0.0, 0.0, 0.5}, .mass = 1.0}};
+            s.items.push_back({Id{500}, weight});
+        });
+        row("a ball in its way", false, [](Scene& s) {
+            s.items.push_back({Id{500}, Collider{.shape = ColliderShape::Sphere}});
+        });
+        row("pulled aside", false, [](Scene& s) {
+            s.items.push_back({Id{500}, Control{.axis = {0.0, 0.0, 1.0}}});
+        });
+        row("lies level", false, [](Scene& s) {
+            for (Particle& particle : part(s).particles)
+                particle.position = {particle.position.x(), 0.0, particle.position.y()};
+        });
+        row("weightless", false, [](Scene& s) { s.settings.gravity = Vec3::Zero(); });
+        row("a rope, which has no sides", false, [](Scene& s) { part(s).panels.clear(); });
+    }
+
+    // A square of cloth hangs in the plane z = 0. What is told to stay in it does, to the last
+    // digit; of what is pushed aside it is not told.
+    void staysFlat()
+    {
+        QFETCH(Change, change);
+        QFETCH(bool, isTold);
+        Scene scene = square();
+        change(scene);
+        const std::vector<Finding> findings = stabilityOf(scene);
+        const auto flat = std::ranges::find(findings, "flat", &Finding::sort);
+        QCOMPARE(flat != findings.end(), isTold);
+        if (!isTold)
+            return;
+        QCOMPARE(flat->severity, Severity::Fine);
+        QCOMPARE(flat->culprits, std::vector{partId});
+        const auto system = compile(scene);
+        QVERIFY(bool(system));
+        Simulation simulation(*system);
+        QVERIFY(simulation.runUntil(1.0));
+        for (const Vec3& place : simulation.state().position)
+            QCOMPARE(place.z(), 0.0);
     }
 
     // One sweep finds the pull of a rod of compliance c too soft by (wa + wb) h^2 / c: 10 g at both
