@@ -4592,13 +4592,38 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>Choose what a material tears by, and its limit or its strengths.</source>
+        <translation>Choisissez par quoi un matériau se déchire, et sa limite ou ses résistances.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>Click the colours to type their range. The largest value of the moment stands below; click that to select what has it. An arrow at an end of the colours: some values lie beyond.</source>
         <translation>Cliquez sur les couleurs pour saisir leur intervalle. La plus grande valeur du moment figure dessous ; cliquez dessus pour sélectionner ce qui la porte. Une flèche au bout des couleurs : des valeurs sont au-delà.</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>Draw particles, or insert a design.</source>
+        <translation>Dessinez des particules, ou insérez un modèle.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Every factor is 1. Paint with the brush, or type another one for what is selected.</source>
+        <translation>Tous les facteurs valent 1. Peignez avec le pinceau, ou saisissez-en un autre pour la sélection.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Fabric has a stress where panels carry its pull, and where threads have a width.</source>
+        <translation>Le tissu a une contrainte là où des panneaux portent sa traction, et là où ses fils ont une largeur.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>Fabric stress</source>
         <translation>Contrainte du tissu</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Give materials a line strength, a warp strength or a breaking moment.</source>
+        <translation>Donnez aux matériaux une résistance de la ligne, une résistance en chaîne ou un moment de rupture.</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -4617,6 +4642,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>Panels that carry the pull of their fabric have it: let the fabric of a part pull by panels.</source>
+        <translation>Les panneaux qui portent la traction de leur tissu en ont : faites porter la traction d’une pièce par ses panneaux.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>Stiffness factor</source>
         <translation>Facteur de raideur</translation>
     </message>
@@ -4627,6 +4657,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>Strain is that of links, and of panels that carry the pull of their fabric.</source>
+        <translation>La déformation est celle des liaisons, et des panneaux qui portent la traction de leur tissu.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>Strength factor</source>
         <translation>Facteur de résistance</translation>
     </message>
@@ -4634,6 +4669,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="legend.cpp"/>
         <source>Tension</source>
         <translation>Tension</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Tension is that of links. What panels carry is their fabric stress.</source>
+        <translation>La tension est celle des liaisons. Ce que portent les panneaux est la contrainte du tissu.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>The air pushes panels: draw some between particles.</source>
+        <translation>L’air pousse les panneaux : dessinez-en entre des particules.</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -4654,6 +4699,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="legend.cpp"/>
         <source>no fabric of known width</source>
         <translation>pas de tissu de largeur connue</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>no links here</source>
+        <translation>aucune liaison ici</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>no panels here</source>
+        <translation>aucun panneau ici</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>no particles here</source>
+        <translation>aucune particule ici</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -9809,6 +9869,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Sélection : %1</translation>
     </message>
     <message>
+        <location filename="step_limits.cpp"/>
+        <source>springs and bending</source>
+        <translation>les ressorts et la flexion</translation>
+    </message>
+    <message>
         <location filename="strip_widths.cpp"/>
         <source>No link of this material lies along a panel, so that none gets a width: draw panels between its links first.</source>
         <translation>Aucune liaison de ce matériau ne longe un panneau, si bien qu’aucune ne reçoit de largeur : dessinez d’abord des panneaux entre ses liaisons.</translation>
@@ -9872,11 +9937,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study.cpp"/>
         <source>is no study: line %1, column %2 %3</source>
         <translation>n’est pas une étude : ligne %1, colonne %2 %3</translation>
-    </message>
-    <message>
-        <location filename="step_limits.cpp"/>
-        <source>springs and bending</source>
-        <translation>les ressorts et la flexion</translation>
     </message>
     <message>
         <location filename="study.cpp"/>

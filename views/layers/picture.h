@@ -12,6 +12,8 @@
 
 #include <Eigen/Geometry>
 
+#include <limits>
+
 class vtkPoints;
 
 namespace ripstop {
@@ -42,7 +44,10 @@ struct Picture
     bool isMeshShown = false;   // the links that stand for fabric, on fabric
 
     const Layout& layout() const { return *frame.layout; }
-    Color colorOf(double value) const { return colors.at(value, range); }
+    Color colorOf(double value) const // grey where nothing has the quantity
+    {
+        return colors.at(values.isKnown ? value : std::numeric_limits<double>::quiet_NaN(), range);
+    }
 };
 
 } // namespace ripstop

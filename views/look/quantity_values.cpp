@@ -131,13 +131,16 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
     case ColorBy::Material:
         break;
     case ColorBy::Strain:
+        values.isKnown = !frame.layout->links.empty() || carriesAny(frame);
         takeLinks(frame, frame.strain, values);
         takePanels(frame, &PanelPull::strain, values);
         break;
     case ColorBy::Tension:
+        values.isKnown = !frame.layout->links.empty();
         takeLinks(frame, frame.tension, values);
         break;
     case ColorBy::Speed:
+        values.isKnown = !frame.velocity.empty();
         values.particle.reserve(frame.velocity.size());
         for (const Vec3& velocity : frame.velocity)
             values.particle.push_back(velocity.norm());
@@ -208,6 +211,7 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
     }
     case ColorBy::PanelLoad: {
         const auto& panels = frame.layout->panelCorners;
+        values.isKnown = !panels.empty();
         values.panel.assign(panels.size(), 0.0);
         for (std::size_t i = 0; i < std::min(panels.size(), frame.panelLoad.size()); ++i)
             if (const double a = area(frame, panels[i]); a > 0.0 && !frame.gone[i])

@@ -1,9 +1,9 @@
-// captionOf() says name and unit of each quantity. setScale() takes quantity, range and colours,
-// returns when nothing of it has changed, and otherwise sizes the widget for its widest text;
-// setPeak() follows with each picture. marks() finds the round numbers: four or five steps over the
-// range. paintBar() draws the colours, with an arrow at an end beyond which values lie;
-// paintEvent() card, title, bar, marks and peak. A release of the mouse in the lowest
-// line means the peak, any other one the range.
+// captionOf() says name and unit of each quantity. setScale() takes quantity, range and colours and
+// returns when nothing of it has changed; setPeak() follows with each picture. fit() sizes the
+// widget for its widest text, or for two lines where nothing has the quantity. marks() finds the
+// round numbers: four or five steps over the range. paintBar() draws the colours, with an arrow at
+// an end beyond which values lie; paintEvent() card, title, bar, marks and peak. A release of the
+// mouse in the lowest line means the peak, any other one the range.
 #include "overlays/legend.h"
 
 #include <QMouseEvent>
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -28,8 +29,22 @@ struct Caption
 {
     QString quantity; // empty: no legend
     QString unit;
-    QString unknown = {}; // instead of the peak, when nothing has what it is measured by
+    QString unknown; // when nothing has what it is measured by
+    QString remedy;  // what would give it something
 };
+
+QString ofPanelsThatPull()
+{
+    return Legend::tr(
+        "Panels that carry the pull of their fabric have it: let the fabric of a part "
+        "pull by panels.");
+}
+
+QString ofWhatIsPainted()
+{
+    return Legend::tr("Every factor is 1. Paint with the brush, or type another one for what is "
+                      "selected.");
+}
 
 Caption captionOf(ColorBy colorBy)
 {
@@ -37,28 +52,47 @@ Caption captionOf(ColorBy colorBy)
     case ColorBy::Material:
         break;
     case ColorBy::Strain:
-        return {Legend::tr("Strain"), QStringLiteral("%")};
+        return {Legend::tr("Strain"), QStringLiteral("%"), Legend::tr("no links here"),
+                Legend::tr("Strain is that of links, and of panels that carry the pull of their "
+                           "fabric.")};
     case ColorBy::Tension:
-        return {Legend::tr("Tension"), QStringLiteral("N")};
+        return {Legend::tr("Tension"), QStringLiteral("N"), Legend::tr("no links here"),
+                Legend::tr("Tension is that of links. What panels carry is their fabric stress.")};
     case ColorBy::Speed:
-        return {Legend::tr("Speed"), QStringLiteral("m/s")};
+        return {Legend::tr("Speed"), QStringLiteral("m/s"), Legend::tr("no particles here"),
+                Legend::tr("Draw particles, or insert a design.")};
     case ColorBy::PanelLoad:
-        return {Legend::tr("Panel load"), QStringLiteral("N/m\u00b2")};
+        return {Legend::tr("Panel load"), QStringLiteral("N/m\u00b2"), Legend::tr("no panels here"),
+                Legend::tr("The air pushes panels: draw some between particles.")};
     case ColorBy::TearLoad:
-        return {Legend::tr("Of tear limit"), QStringLiteral("%"), Legend::tr("nothing tears here")};
+        return {Legend::tr("Of tear limit"), QStringLiteral("%"), Legend::tr("nothing tears here"),
+                Legend::tr("Choose what a material tears by, and its limit or its strengths.")};
     case ColorBy::Stress:
         return {Legend::tr("Fabric stress"), QStringLiteral("N/m"),
-                Legend::tr("no fabric of known width")};
+                Legend::tr("no fabric of known width"),
+                Legend::tr("Fabric has a stress where panels carry its pull, and where threads "
+                           "have a width.")};
     case ColorBy::Margin:
-        return {Legend::tr("Margin"), {}, Legend::tr("no strength here")};
+        return {
+            Legend::tr("Margin"),
+            {},
+            Legend::tr("no strength here"),
+            Legend::tr("Give materials a line strength, a warp strength or a breaking moment.")};
     case ColorBy::Stiffness:
-        return {Legend::tr("Stiffness factor"), {}, Legend::tr("all as their materials")};
+        return {Legend::tr("Stiffness factor"),
+                {},
+                Legend::tr("all as their materials"),
+                ofWhatIsPainted()};
     case ColorBy::Strength:
-        return {Legend::tr("Strength factor"), {}, Legend::tr("all as their materials")};
+        return {Legend::tr("Strength factor"),
+                {},
+                Legend::tr("all as their materials"),
+                ofWhatIsPainted()};
     case ColorBy::Grain:
-        return {Legend::tr("Grain"), QStringLiteral("\u00b0"), Legend::tr("no elastic panels")};
+        return {Legend::tr("Grain"), QStringLiteral("\u00b0"), Legend::tr("no elastic panels"),
+                ofPanelsThatPull()};
     case ColorBy::Wrinkles:
-        return {Legend::tr("Wrinkles"), {}, Legend::tr("no elastic panels")};
+        return {Legend::tr("Wrinkles"), {}, Legend::tr("no elastic panels"), ofPanelsThatPull()};
     }
     return {};
 }
@@ -68,11 +102,6 @@ Caption captionOf(ColorBy colorBy)
 Legend::Legend(QWidget* parent)
     : QWidget(parent)
 {
-    setToolTip(
-        tr("Click the colours to type their range. The largest value of the moment stands "
-           "below; click that to select what has it. An arrow at an end of the colours: some "
-           "values lie beyond."));
-    setCursor(Qt::PointingHandCursor);
     hide();
 }
 
@@ -85,7 +114,7 @@ void Legend::setTheme(const Theme& theme)
 void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors)
 {
     const bool isShare = colorBy == ColorBy::Strain || colorBy == ColorBy::TearLoad;
-    const auto [quantity, siUnit, unknown] = captionOf(colorBy);
+    const auto [quantity, siUnit, unknown, remedy] = captionOf(colorBy);
     const double largest = std::max(std::abs(range.low), std::abs(range.high));
     m_scale = spokenScale(largest, isShare ? std::string() : siUnit.toStdString(), isShare);
     const QString& unit = m_scale.unit;
@@ -98,28 +127,45 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
     m_isState = isState(colorBy);
     m_marksLimit = colorBy == ColorBy::Margin;
     m_unknown = unknown;
+    m_remedy = remedy;
     m_range = scaled;
     m_colors = &colors;
     setVisible(!m_title.isEmpty());
+    fit();
+}
 
+void Legend::fit()
+{
+    setToolTip(m_isKnown
+                   ? tr("Click the colours to type their range. The largest value of the moment "
+                        "stands below; click that to select what has it. An arrow at an end of the "
+                        "colours: some values lie beyond.")
+                   : m_remedy);
+    setCursor(hasRange() ? Qt::PointingHandCursor : Qt::ArrowCursor);
     const QFontMetrics metrics(font());
+    update();
+    if (!m_isKnown) {
+        resize(std::max(metrics.horizontalAdvance(m_title), metrics.horizontalAdvance(m_unknown))
+                   + 2 * inset,
+               2 * metrics.height() + gap + 2 * inset);
+        return;
+    }
     int widest = 0;
     for (const Mark& mark : marks())
         widest = std::max(widest, metrics.horizontalAdvance(mark.text));
     const int content =
         std::max({barWidth + gap + widest, metrics.horizontalAdvance(m_title),
-                  metrics.horizontalAdvance(m_unknown),
                   metrics.horizontalAdvance(tr("peak %1").arg(QStringLiteral("0000.00")))});
     resize(content + 2 * inset,
            barHeight + 2 * (metrics.height() + gap) + metrics.ascent() + 2 * inset);
-    update();
 }
 
 void Legend::setPeak(const std::optional<Peak>& peak, const ValueRange& extent)
 {
     m_peak = peak.value_or(Peak{});
     m_extent = extent;
-    m_isKnown = peak.has_value();
+    if (std::exchange(m_isKnown, peak.has_value()) != m_isKnown)
+        fit();
     update();
 }
 
@@ -146,7 +192,7 @@ void Legend::mousePressEvent(QMouseEvent*) {}
 void Legend::mouseReleaseEvent(QMouseEvent* event)
 {
     const int peakTop = height() - inset - QFontMetrics(font()).height() - gap;
-    if (m_isState)
+    if (!hasRange())
         return; // names have no range and no peak
     if (event->position().y() < peakTop)
         emit rangeClicked();
@@ -156,6 +202,8 @@ void Legend::mouseReleaseEvent(QMouseEvent* event)
 
 std::vector<Legend::Mark> Legend::marks() const
 {
+    if (!m_isKnown)
+        return {};
     if (m_isState)
         return {{1.0 / 6.0, tr("slack")}, {0.5, tr("wrinkled")}, {5.0 / 6.0, tr("taut")}};
     std::vector<Mark> result;
@@ -231,6 +279,10 @@ void Legend::paintEvent(QPaintEvent*)
     painter.setPen(m_theme.text);
     painter.drawText(inset, inset + metrics.ascent(), m_title);
 
+    painter.drawText(inset, height() - inset - metrics.descent(), peakText());
+    if (!m_isKnown)
+        return;
+
     const QRect bar(inset, inset + metrics.height() + gap, barWidth, barHeight);
     paintBar(painter, bar);
     painter.setPen(m_theme.text);
@@ -240,7 +292,6 @@ void Legend::paintEvent(QPaintEvent*)
         painter.drawLine(mark.isLimit ? bar.left() : bar.right() + 1, y, bar.right() + 4, y);
         painter.drawText(bar.right() + gap, y + metrics.ascent() / 2 - 1, mark.text);
     }
-    painter.drawText(inset, height() - inset - metrics.descent(), peakText());
 }
 
 } // namespace ripstop

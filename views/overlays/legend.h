@@ -3,7 +3,9 @@
 // The largest value of the moment stands below it. An end of the bar is an arrow while values lie
 // beyond it, as in the plots of Matplotlib. A click on the bar asks for another range, one
 // on the largest value goes to what has it. It is hidden when the view shows materials. Values come
-// in SI units and are shown as people say them: shares in per cent, large pulls in kN.
+// in SI units and are shown as people say them: shares in per cent, large pulls in kN. Where
+// nothing in the scene has the quantity, all is grey and there is no bar: it says what is missing,
+// and its tip what to do.
 #pragma once
 
 #include "document/spoken.h"
@@ -27,13 +29,13 @@ public:
 
     void setTheme(const Theme& theme);
     void setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors);
-    // The largest value of the moment, in SI units; nothing when there is nothing to measure.
+    // The largest value of the moment, in SI units; nothing when nothing has the quantity.
     // `extent` is from the smallest to the largest of all values.
     void setPeak(const std::optional<Peak>& peak, const ValueRange& extent = {0.0, 0.0});
 
     QString title() const { return m_title; }
     QString unit() const { return m_unit; }
-    bool hasRange() const { return !m_title.isEmpty() && !m_isState; }
+    bool hasRange() const { return !m_title.isEmpty() && m_isKnown && !m_isState; }
     const ValueRange& range() const { return m_range; } // in the unit of the legend
     ValueRange meant(const ValueRange& shown) const     // in SI units
     {
@@ -62,6 +64,7 @@ private:
         bool isLimit = false; // where things break: drawn across the bar
     };
     std::vector<Mark> marks() const;
+    void fit();                     // size, tip and cursor to what is shown
     bool isBeyond(double by) const; // by so much, in SI units
     void paintBar(QPainter& painter, const QRect& bar) const;
 
@@ -70,7 +73,8 @@ private:
     ValueRange m_range; // as shown: strain in per cent
     QString m_title;
     QString m_unit;
-    QString m_unknown; // said instead of the peak
+    QString m_unknown; // said where nothing has the quantity
+    QString m_remedy;  // what would give it something
     bool m_isKnown = true;
     bool m_isState = false;    // marked by names, without range and peak
     bool m_marksLimit = false; // of margins, at 1

@@ -92,7 +92,7 @@ public:
     ColorBy colorBy() const { return m_colorBy; }
     Peak peak() const { return m_frame ? peakOf(*m_frame, m_values) : Peak{}; }
     ValueRange extent() const { return extentOf(m_values); } // of the values, not of the colours
-    bool isKnown() const { return m_values.isKnown; }        // something has that quantity
+    bool isKnown() const { return m_frame && m_values.isKnown; } // something has that quantity
     ValueRange range() const;
     const ColorMap& colors() const;
 

@@ -88,13 +88,14 @@ void Viewport::Private::prepare()
     stage.prepare(document.scene());
     keepWhole();
     compass.setWind(stage.frame() ? stage.frame()->wind : Vec3::Zero());
-    const bool wasHidden = legend.isHidden();
+    const int before = legend.isHidden() ? 0 : legend.height();
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
     if (!legend.isHidden())
         legend.setPeak(stage.isKnown() ? std::optional(stage.peak()) : std::nullopt,
                        stage.extent());
     place();
-    if (untouched && legend.isHidden() != wasHidden) { // it has come over the design, or gone
+    const int now = legend.isHidden() ? 0 : legend.height();
+    if (untouched && now != before) { // it has come over the design, or gone
         fitNow();
         place();
     }
