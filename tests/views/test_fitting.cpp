@@ -66,6 +66,41 @@ private slots:
         QVERIFY(std::abs(camera.eye().y() - 0.5) < 1e-9);
     }
 
+    // What rises again, as a parachute does that has landed when its run begins anew, is seen as it
+    // was before it came down: the ground has lifted focus and eye only as long as it was there. A
+    // camera that a person turns on the ground stays as it is turned.
+    void whatRisesAgainIsSeenAsBefore()
+    {
+        auto layout = std::make_shared<Layout>();
+        layout->panelCorners = {{0, 1, 2}};
+        Frame frame;
+        frame.layout = layout;
+        frame.gone = {0};
+        Camera camera;
+        Chase chase;
+        const auto fabricAt = [&](double height) {
+            frame.position = {{-1, height, 0}, {1, height, 1}, {0, height, -1}};
+            frame.step += 1;
+            chase.move(camera, frame, nullptr, 0.0);
+        };
+        camera.elevation = 0.05; // rad
+        camera.distance = 15.0;
+        camera.focus = Vec3(0, 18, 0); // the fabric hangs 2 m above the middle of the picture
+        fabricAt(20.0);
+        for (int turn = 0; turn < 2; ++turn) {
+            for (double height = 20.0; height >= 0.0; height -= 0.1)
+                fabricAt(height);
+            QVERIFY(camera.focus.y() >= 0.0 && camera.elevation > 0.1);
+            fabricAt(20.0);
+            QVERIFY(std::abs(camera.focus.y() - 18.0) < 1e-9);
+            QVERIFY(std::abs(camera.elevation - 0.05) < 1e-9);
+        }
+        fabricAt(0.0);
+        camera.elevation = 0.7;
+        fabricAt(20.0);
+        QCOMPARE(camera.elevation, 0.7);
+    }
+
     // Who hangs below a parachute is in the picture when that is fitted.
     void whoHangsIsFitted()
     {

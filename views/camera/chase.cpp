@@ -42,8 +42,29 @@ void Chase::set(bool on, const Frame* now)
 
 void Chase::settle(const Frame* now)
 {
+    m_lift = {};
     if (m_on && now)
         m_last = middleOf(*now);
+}
+
+void Chase::takeOff(Camera& camera)
+{
+    if (camera.focus == m_lift.left && camera.elevation == m_lift.leftElevation) {
+        camera.focus.y() -= m_lift.focus;
+        camera.elevation -= m_lift.elevation;
+    }
+    m_lift = {};
+}
+
+// `lowest` bounds the focus, m, and `above` is how far the eye was above the ground, m.
+void Chase::keepAbove(Camera& camera, double ground, double lowest, double above)
+{
+    const double focus = camera.focus.y();
+    const double elevation = camera.elevation;
+    camera.focus.y() = std::max(focus, lowest);
+    camera.liftEye(ground + std::min(above, leastRise * camera.distance));
+    m_lift = {camera.focus.y() - focus, camera.elevation - elevation, camera.focus,
+              camera.elevation};
 }
 
 void Chase::move(Camera& camera, const Frame& frame, const Frame* before, double ground)
@@ -56,11 +77,10 @@ void Chase::move(Camera& camera, const Frame& frame, const Frame* before, double
     if (m_last && !isShaped && !(before && areOthers(frame, *before))) {
         const double above = camera.eye().y() - ground; // a person may have chosen a low place
         const double lowest = std::min(camera.focus.y(), ground);
+        takeOff(camera);
         camera.focus += middle - *m_last;
-        if (std::isfinite(ground)) {
-            camera.focus.y() = std::max(camera.focus.y(), lowest);
-            camera.liftEye(ground + std::min(above, leastRise * camera.distance));
-        }
+        if (std::isfinite(ground))
+            keepAbove(camera, ground, lowest, above);
     }
     m_last = middle;
 }

@@ -28,11 +28,25 @@ public:
     // `before` is the frame that was shown before, or null. What an author does to a design at rest
     // is to be seen against the ground, so the camera stays then, and so it does where something
     // comes into a run or goes out of it. What comes down does not draw eye or focus through
-    // the `ground` below the eye, m, but is seen from above.
+    // the `ground` below the eye, m, but is seen from above, and as before when it rises again or
+    // the run begins anew.
     void move(Camera& camera, const Frame& frame, const Frame* before, double ground);
 
 private:
+    // What the ground has added to a camera that came down to it. It is taken off again, unless
+    // somebody has moved the camera since.
+    struct Lift
+    {
+        double focus = 0.0;         // m, upwards
+        double elevation = 0.0;     // rad
+        Vec3 left = Vec3::Zero();   // m, the focus as this has left it
+        double leftElevation = 0.0; // rad
+    };
+    void takeOff(Camera& camera);
+    void keepAbove(Camera& camera, double ground, double lowest, double above);
+
     bool m_on = true;
+    Lift m_lift;
     std::optional<Vec3> m_last; // m, where the middle of the fabric was
 };
 
