@@ -101,7 +101,7 @@ QString filmInWords(const FilmFormat& format, std::size_t frames, QSize picture)
                                       "direction: the last column or row is left out.");
 }
 
-QString contentInWords(const ExportChoice& choice, const ExportRange& range, const Scene& scene,
+QString contentInWords(const ExportChoice& choice, std::size_t frames, const Scene& scene,
                        const Frame* now, QSize picture)
 {
     if (choice.isBundle())
@@ -111,7 +111,6 @@ QString contentInWords(const ExportChoice& choice, const ExportRange& range, con
             "again.");
     if (const auto* table = std::get_if<RunTable>(&choice.what))
         return *table == RunTable::Tears ? tearsInWords(now, scene) : controlsInWords(now);
-    const std::size_t frames = frameCount(range);
     if (choice.film())
         return choice.film()->codec ? filmInWords(*choice.film(), frames, picture)
                                     : tr("%1 frames of %2 × %3 pixels, about %4.")
@@ -122,8 +121,8 @@ QString contentInWords(const ExportChoice& choice, const ExportRange& range, con
     if (!now)
         return {};
     const ExportFormat& format = *choice.mesh();
-    const QString size = sizeInWords(
-        expectedSize(format, *now->layout, MeshAppearance(scene), choice.isSeries() ? frames : 1));
+    const QString size =
+        sizeInWords(expectedSize(format, *now->layout, MeshAppearance(scene), frames));
     return choice.isSeries() ? tr("%1 frames, about %2.").arg(frames).arg(size)
                              : tr("The shape at %1 s, when this was opened, about %2.")
                                    .arg(rounded(now->time), size);
@@ -181,13 +180,12 @@ QStringList replacedBy(const ExportChoice& choice, const QString& target, std::s
     return there;
 }
 
-QString previewOf(const ExportChoice& choice, const QString& target, const ExportRange& range,
+QString previewOf(const ExportChoice& choice, const QString& target, std::size_t frames,
                   const MeshAppearance& appearance, const Scene& scene, const Frame* now,
                   QSize picture)
 {
-    const std::size_t frames = choice.isSeries() ? frameCount(range) : 1;
     QString text = tr("Writes %1.").arg(inWords(filesOf(choice, target, frames, appearance))) + ' '
-                   + contentInWords(choice, range, scene, now, picture);
+                   + contentInWords(choice, frames, scene, now, picture);
     const QStringList there = replacedBy(choice, target, frames, appearance);
     if (there.size() == 1)
         text += ' ' + tr("%1 is there and will be replaced.").arg(QFileInfo(there[0]).fileName());

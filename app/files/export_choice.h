@@ -39,7 +39,8 @@ struct ExportChoice
 std::vector<ExportChoice> exportChoices();
 
 // "Writes kite.pc2 and kite.obj. 251 frames, about 3.4 MB. kite.obj is there and will be replaced."
-QString previewOf(const ExportChoice& choice, const QString& target, const ExportRange& range,
+//   frames  of a series; 1 of a moment
+QString previewOf(const ExportChoice& choice, const QString& target, std::size_t frames,
                   const MeshAppearance& appearance, const Scene& scene, const Frame* now,
                   QSize picture);
 

@@ -232,6 +232,13 @@ ExportRange ExportDialog::range() const
     return {m_from->value(), std::max(m_to->value(), m_from->value()), perSecond};
 }
 
+std::size_t ExportDialog::frames() const
+{
+    const double timeStep =
+        isRecorded() ? RecordedFrames(m_recording).timeStep() : m_scene.settings.timeStep;
+    return choice().isSeries() ? frameCount(range(), timeStep) : 1;
+}
+
 // The fields show hundredths of a second: what is recorded begins at the next and ends at the last,
 // so that all between them is in reach.
 std::pair<double, double> ExportDialog::recorded() const
@@ -342,7 +349,7 @@ void ExportDialog::showPreview()
     m_go->setEnabled(why.isEmpty());
     if (!why.isEmpty())
         return m_message->setText(why);
-    QString text = previewOf(choice(), target(), range(), m_appearance, m_scene, m_now.get(),
+    QString text = previewOf(choice(), target(), frames(), m_appearance, m_scene, m_now.get(),
                              QSize(m_width->value(), m_height->value()));
     if (choice().isFlown())
         text += ' '

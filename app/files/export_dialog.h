@@ -104,6 +104,7 @@ private:
     bool isFlight() const;                      // the recording is more than one moment
     bool isRecorded() const;
     ExportRange range() const;
+    std::size_t frames() const; // that will be written
     Job job() const;
 
     const Scene m_scene;

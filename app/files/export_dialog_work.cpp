@@ -136,8 +136,7 @@ QString ExportDialog::write(const Job& job)
 bool ExportDialog::mayWrite()
 {
     const QString file = target();
-    const QStringList there =
-        replacedBy(choice(), file, choice().isSeries() ? frameCount(range()) : 1, m_appearance);
+    const QStringList there = replacedBy(choice(), file, frames(), m_appearance);
     if (there.isEmpty() || (there == QStringList{file} && file == m_mayReplace))
         return true;
     const QString question =

@@ -106,6 +106,13 @@ std::size_t frameCount(const ExportRange& range)
     return std::size_t(std::floor((range.to - range.from) * range.fps + 1e-9)) + 1;
 }
 
+std::size_t frameCount(const ExportRange& range, double timeStep)
+{
+    ExportRange ofSteps = range;
+    ofSteps.fps = std::min(range.fps, 1.0 / timeStep);
+    return frameCount(ofSteps);
+}
+
 std::optional<Failure> writeMoment(const Frame& frame, const MeshAppearance& appearance,
                                    const fs::path& target)
 {

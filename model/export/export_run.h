@@ -20,8 +20,10 @@ struct ExportRange
     double fps = 25.0; // frames per simulated second
 };
 
-// How many frames the range asks for; there are fewer where it asks for more than there are steps.
+// How many frames the range asks for, and how many there are of steps of `timeStep`, s: none comes
+// twice.
 std::size_t frameCount(const ExportRange& range);
+std::size_t frameCount(const ExportRange& range, double timeStep);
 
 // Writes one frame as the name of the target says. The file is the old one or the new one, whole.
 std::optional<Failure> writeMoment(const Frame& frame, const MeshAppearance& appearance,

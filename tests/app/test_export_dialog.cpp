@@ -193,6 +193,30 @@ private slots:
         QVERIFY(std::abs(lines[8].split(',')[0].toDouble() - 0.5) < 0.003);
     }
 
+    // No step is written twice, whatever the rate, and so many frames are promised: those of 0.2 s
+    // in steps of the scene, from the first to the last.
+    void promisesAsManyFramesAsThereAreSteps()
+    {
+        ExportShop shop;
+        shop.open(true);
+        shop.choose("Table of the probes, CSV");
+        shop.number("from").setValue(0.2);
+        shop.number("to").setValue(0.4);
+        shop.number("rate").setValue(shop.number("rate").maximum());
+        const double timeStep = shop.document.scene().settings.timeStep;
+        QVERIFY(shop.number("rate").value() > 1.0 / timeStep);
+        const int steps = int(std::floor(0.2 / timeStep + 1e-9)) + 1;
+        const QString promise = QString(" %1 frames").arg(steps);
+        const auto labels = shop.dialog->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(
+            labels, [&](const QLabel* label) { return label->text().contains(promise); }));
+        QVERIFY(shop.exports());
+        QFile table(shop.folder.filePath("kite.csv"));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const auto lines = table.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), 2 + steps + 1); // with three lines around them
+    }
+
     void withoutARecordingThereIsNothingToChoose()
     {
         ExportShop shop;
