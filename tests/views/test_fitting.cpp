@@ -101,6 +101,36 @@ private slots:
         QCOMPARE(camera.elevation, 0.7);
     }
 
+    // A design that is built again during a run begins a run of its own where it was: the camera
+    // goes back there. What comes into a run that goes on leaves the camera where it is.
+    void whatIsBuiltAgainIsFollowedToItsStart()
+    {
+        const auto frameOf = [](std::uint32_t panel, std::uint64_t run, std::int64_t step,
+                                double height) {
+            auto layout = std::make_shared<Layout>();
+            layout->panelId = {panel};
+            layout->panelCorners = {{0, 1, 2}};
+            Frame frame;
+            frame.layout = layout;
+            frame.gone = {0};
+            frame.run = run;
+            frame.step = step;
+            frame.position = {{-1, height, 0}, {1, height, 1}, {0, height, -1}};
+            return frame;
+        };
+        Camera camera;
+        camera.focus = Vec3(0, 120, 0);
+        Chase chase;
+        const Frame flown = frameOf(7, 1, 500, 120.0);
+        chase.move(camera, flown, nullptr, 0.0);
+        const Frame withMore = frameOf(8, 1, 501, 140.0);
+        chase.move(camera, withMore, &flown, 0.0);
+        QCOMPARE(camera.focus.y(), 120.0);
+        const Frame builtAgain = frameOf(9, 2, 0, 150.0);
+        chase.move(camera, builtAgain, &withMore, 0.0);
+        QCOMPARE(camera.focus.y(), 130.0);
+    }
+
     // Who hangs below a parachute is in the picture when that is fitted.
     void whoHangsIsFitted()
     {

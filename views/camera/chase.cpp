@@ -33,6 +33,11 @@ bool areOthers(const Frame& frame, const Frame& before)
 
 } // namespace
 
+bool beginsAnew(const Frame& frame, const Frame& before)
+{
+    return before.run != frame.run && before.step > frame.step;
+}
+
 void Chase::set(bool on, const Frame* now)
 {
     m_on = on;
@@ -74,7 +79,8 @@ void Chase::move(Camera& camera, const Frame& frame, const Frame* before, double
         return;
     const bool isShaped =
         frame.step == 0 && before && before->step == 0 && frame.generation != before->generation;
-    if (m_last && !isShaped && !(before && areOthers(frame, *before))) {
+    const bool isOther = before && areOthers(frame, *before) && !beginsAnew(frame, *before);
+    if (m_last && !isShaped && !isOther) {
         const double above = camera.eye().y() - ground; // a person may have chosen a low place
         const double lowest = std::min(camera.focus.y(), ground);
         takeOff(camera);

@@ -13,6 +13,9 @@
 
 namespace ripstop {
 
+// Whether another run has begun since the frame `before`.
+bool beginsAnew(const Frame& frame, const Frame& before);
+
 class Chase
 {
 public:
@@ -27,9 +30,9 @@ public:
 
     // `before` is the frame that was shown before, or null. What an author does to a design at rest
     // is to be seen against the ground, so the camera stays then, and so it does where something
-    // comes into a run or goes out of it. What comes down does not draw eye or focus through
-    // the `ground` below the eye, m, but is seen from above, and as before when it rises again or
-    // the run begins anew.
+    // comes into a run or goes out of it; it goes along where the run begins anew. What comes down
+    // does not draw eye or focus through the `ground` below the eye, m, but is seen from above, and
+    // as before when it rises again or the run begins anew.
     void move(Camera& camera, const Frame& frame, const Frame* before, double ground);
 
 private:

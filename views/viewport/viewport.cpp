@@ -303,7 +303,7 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
         d->chase.move(d->camera, *frame, d->stage.frame().get(),
                       groundBelow(d->stage.colliders(), *frame, d->camera.eye()));
     const auto before = d->stage.frame();
-    const bool isAnew = before && before->run != frame->run && before->step > frame->step;
+    const bool isAnew = before && beginsAnew(*frame, *before);
     d->stage.show(std::move(frame));
     if (isAnew && !d->seesSubject()) // the camera looked closely at what is elsewhere again
         d->fitNow();
