@@ -246,7 +246,7 @@
     <message>
         <location filename="builder_dialog.cpp"/>
         <source>Ideal materials</source>
-        <translation>Matières idéales</translation>
+        <translation>Matériaux idéaux</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -2038,12 +2038,12 @@
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Material %1 has panels stiffer than %2 N/m, which no step can solve and no fabric is: check the unit.</source>
-        <translation>La matière %1 a des panneaux plus raides que %2 N/m, ce qu’aucun pas ne peut résoudre et qu’aucun tissu n’est : vérifiez l’unité.</translation>
+        <translation>Le matériau %1 a des panneaux plus raides que %2 N/m, ce qu’aucun pas ne peut résoudre et qu’aucun tissu n’est : vérifiez l’unité.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Material %1 would get energy out of being strained: its Poisson's ratio must be below %2, the root of warp over weft stiffness.</source>
-        <translation>La matière %1 gagnerait de l’énergie à être déformée : son coefficient de Poisson doit être sous %2, la racine du rapport des raideurs de chaîne et de trame.</translation>
+        <translation>Le matériau %1 gagnerait de l’énergie à être déformé : son coefficient de Poisson doit être sous %2, la racine du rapport des raideurs de chaîne et de trame.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
@@ -2053,7 +2053,7 @@
     <message>
         <location filename="elastic_check.cpp"/>
         <source>Panels of %1 are to carry its pull and have no material: they carry nothing.</source>
-        <translation>Les panneaux de %1 doivent porter sa traction et n’ont pas de matière : ils ne portent rien.</translation>
+        <translation>Les panneaux de %1 doivent porter sa traction et n’ont pas de matériau : ils ne portent rien.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
@@ -2271,7 +2271,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="export_choice.cpp"/>
         <source>%1, and the materials in %2</source>
-        <translation>%1, et les matières dans %2</translation>
+        <translation>%1, et les matériaux dans %2</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
@@ -15689,7 +15689,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What the line is made of; an ideal one never stretches.</source>
-        <translation>Matière de la ligne ; idéale, elle ne s’étire jamais.</translation>
+        <translation>Matériau de la ligne ; idéal, il ne s’étire jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15719,7 +15719,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>What the suspension lines are made of; ideal ones never stretch.</source>
-        <translation>Matière des suspentes ; les idéales ne s’étirent jamais.</translation>
+        <translation>Matériau des suspentes ; les idéaux ne s’étirent jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
