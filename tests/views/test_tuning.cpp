@@ -99,6 +99,25 @@ private slots:
             QVERIFY(button->mapTo(row, button->rect().bottomRight()).x() < row->width());
     }
 
+    // Dacron of 350 kN/m has a slider up to four times as much.
+    void endsOfARangeHaveTheirRoom()
+    {
+        Desk desk;
+        const Id threads = showKiteCloth(desk);
+        desk.set(threads, "membraneStiffness", 350e3);
+        TuningRow* row = desk.add(*findProperty(Kind::Material, "membraneStiffness"), {threads});
+        QVERIFY(row);
+        QTest::qWait(50); // it is laid out
+        for (const char* name : {"Left end", "Right end"}) {
+            const ValueEdit* end = endOf(row, name);
+            QVERIFY(end);
+            QVERIFY2(end->width() > end->fontMetrics().horizontalAdvance(end->text()) + 4,
+                     qPrintable(end->text()));
+        }
+        QVERIFY(endOf(row, "Right end")->text().size() >= 7);
+        QVERIFY(row->width() <= desk.panel.width());
+    }
+
     void aSliderStaysWhateverIsSelected()
     {
         Desk desk;

@@ -26,8 +26,16 @@
 namespace ripstop {
 namespace {
 
-constexpr int endWidth = 52; // px, "130000"
-constexpr int logWidth = 26; // px
+constexpr int endWidth = 52;  // px, "130000"; longer numbers take what they need
+constexpr int endMargins = 8; // px, of a number in its field
+constexpr int logWidth = 26;  // px
+
+void showEnd(ValueEdit& edit, double value)
+{
+    edit.show(compactNumber(value));
+    const int number = edit.fontMetrics().horizontalAdvance(edit.text());
+    edit.setFixedWidth(std::max(endWidth, number + endMargins));
+}
 
 QString plural(std::size_t count, Kind kind) { return counted(kind, qsizetype(count)); }
 
@@ -177,7 +185,6 @@ ValueEdit* TuningRow::endEdit(double SliderRange::*end, const QString& name)
         rangeOf(text, complaint);
         return complaint.isEmpty() ? QString() : tr("%1: the range %2.").arg(name, complaint);
     });
-    edit->setFixedWidth(endWidth);
     edit->setFrame(false);
     edit->setAlignment(end == &SliderRange::low ? Qt::AlignRight : Qt::AlignLeft);
     edit->setAccessibleName(name);
@@ -286,8 +293,8 @@ void TuningRow::refresh()
     m_field.refresh(common);
     if (!m_bar)
         return;
-    m_low->show(compactNumber(m_slider.range.low));
-    m_high->show(compactNumber(m_slider.range.high));
+    showEnd(*m_low, m_slider.range.low);
+    showEnd(*m_high, m_slider.range.high);
     m_log->setChecked(m_slider.range.logarithmic);
     showOn(*m_bar, m_slider.range, m_subject, property);
     if (m_marks)
