@@ -3831,6 +3831,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="id_field.cpp"/>
+        <source>all that are plotted</source>
+        <translation>toutes celles qui sont tracées</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
         <source>none</source>
         <translation>sans</translation>
     </message>

@@ -6,10 +6,12 @@
 // of ten minutes.
 #include "plots/chart_style.h"
 #include "thread_time.h"
+#include "views/inspector_form.h"
 #include "views/plot_desk.h"
 #include "views/run_with_widgets.h"
 #include "views/small_scenes.h"
 
+#include <QMenu>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QtTest>
@@ -430,6 +432,37 @@ private slots:
                   (threadTime() - start) / pictures, chart.pointCount());
             QVERIFY(chart.pointCount() <= curves * 2 * (chart.width() + 2));
         }
+    }
+
+    // The probes of a plot stand in the inspector by their names, and its menu takes in and lets
+    // go; without any, the plot has all that are plotted.
+    void theInspectorNamesTheProbes()
+    {
+        InspectorForm form;
+        Scene scene = measured();
+        Plot plot;
+        plot.probes = {Id{9}};
+        scene.items.push_back({Id{11}, plot});
+        scene.nextId = Id{12};
+        form.document.replace(scene);
+        form.selection.set({Id{11}});
+        QCOMPARE(form.line("probes")->text(), QString("speed"));
+        const auto click = [&form](const QString& name) {
+            auto* menu = form.line("probes")->parentWidget()->findChild<QMenu*>();
+            emit menu->aboutToShow();
+            for (QAction* action : menu->actions())
+                if (action->text() == name)
+                    return action->trigger();
+            QFAIL(qPrintable(name));
+        };
+        click("height");
+        QCOMPARE(form.line("probes")->text(), QString("speed, height"));
+        click("speed");
+        QCOMPARE(form.value(Id{11}, "probes"), Value(std::vector{Id{8}}));
+        form.type(form.line("probes"), "speed, height");
+        QCOMPARE(form.value(Id{11}, "probes"), Value(std::vector{Id{9}, Id{8}}));
+        click("None");
+        QCOMPARE(form.line("probes")->placeholderText(), QString("all that are plotted"));
     }
 };
 

@@ -2,8 +2,8 @@
 //
 // readIds() makes ids of a text of names and numbers, or says which of them is no such thing.
 // shownIds() and hintOf() make a text of ids again; long lists are only counted. fillMenu() offers
-// the items that fit, picking where elements fit, and none. idField() puts line and menu side by
-// side.
+// the items that fit, which a list takes in and lets go, picking where elements fit, and none.
+// idField() puts line and menu side by side.
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "document/words.h"
@@ -14,6 +14,8 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace ripstop {
 namespace {
@@ -84,13 +86,27 @@ Read readIds(const FieldPlace& place, const QString& text)
     return {ids.empty() ? noId : ids.front(), {}};
 }
 
-QString shownIds(const Scene& scene, const Value& value)
+// In a list: the name of an item, where that means it when it is typed, else the number.
+QString nameInList(const Scene& scene, const Property& property, Id id)
+{
+    const Item* item = findItem(scene, id);
+    const QString name = item ? QString::fromStdString(nameOf(*item)) : QString();
+    const bool meansIt = !name.contains(QChar(',')) && name == name.trimmed()
+                         && idFromText(scene, property, name) == id;
+    return meansIt ? name : QString::number(std::uint32_t(id));
+}
+
+QString shownIds(const Scene& scene, const Property& property, const Value& value)
 {
     if (const Id* id = std::get_if<Id>(&value))
         return *id == noId ? QString() : nameOf(scene, *id);
     const auto* ids = std::get_if<std::vector<Id>>(&value);
-    return ids && ids->size() <= mostShown ? QString::fromStdString(textFromValue(value))
-                                           : QString();
+    if (!ids || ids->size() > mostShown)
+        return {};
+    QStringList names;
+    for (const Id id : *ids)
+        names << nameInList(scene, property, id);
+    return names.join(QStringLiteral(", "));
 }
 
 QString hintOf(const FieldPlace& place, const Common& common)
@@ -103,7 +119,17 @@ QString hintOf(const FieldPlace& place, const Common& common)
         std::sort(sorted.begin(), sorted.end());
         return describe(place.subject.document().scene(), sorted);
     }
+    if (isOneOf<&Plot::probes>(place.property))
+        return words("all that are plotted");
     return isOneOf<&Probe::target>(place.property) ? words("whole scene") : words("none");
+}
+
+// A list that has an item in it, or has it no more where it had.
+std::vector<Id> toggled(std::vector<Id> ids, Id id)
+{
+    if (std::erase(ids, id) == 0)
+        ids.push_back(id);
+    return ids;
 }
 
 void fillMenu(QMenu& menu, const FieldPlace& place)
@@ -112,15 +138,21 @@ void fillMenu(QMenu& menu, const FieldPlace& place)
     Subject& subject = place.subject;
     const Property& property = place.property;
     const auto choose = [&](const QIcon& picture, const QString& text, const Value& value) {
-        menu.addAction(picture, text, &subject,
-                       [&subject, &property, value] { subject.edit(property, setTo(value)); });
+        return menu.addAction(picture, text, &subject, [&subject, &property, value] {
+            subject.edit(property, setTo(value));
+        });
     };
 
-    if (!isList(property))
-        for (const Entry& entry : subject.document().scene().items)
-            if (const Kind kind = kindOfItem(entry.item); property.pointsAt.contains(kind))
-                choose(icon(QString::fromUtf8(kindName(kind).data())),
-                       inMenu(QString::fromStdString(nameOf(entry.item))), entry.id);
+    const Value now = Subject::common(property, subject.refs()).value;
+    for (const Entry& entry : subject.document().scene().items)
+        if (const Kind kind = kindOfItem(entry.item); property.pointsAt.contains(kind)) {
+            const auto* list = std::get_if<std::vector<Id>>(&now);
+            QAction* action = choose(icon(QString::fromUtf8(kindName(kind).data())),
+                                     inMenu(QString::fromStdString(nameOf(entry.item))),
+                                     list ? Value(toggled(*list, entry.id)) : Value(entry.id));
+            action->setCheckable(list);
+            action->setChecked(list && std::ranges::count(*list, entry.id) > 0);
+        }
     menu.addSeparator();
     const Kinds picked = property.pointsAt;
     if (picked.contains(Kind::Particle) || picked.contains(Kind::Link))
@@ -162,7 +194,8 @@ Field idField(const FieldPlace& place)
     layout->addWidget(button);
     return {both, {edit}, [place, edit](const Common& common) {
                 const Scene& scene = place.subject.document().scene();
-                edit->show(common.mixed[0] ? QString() : shownIds(scene, common.value),
+                edit->show(common.mixed[0] ? QString()
+                                           : shownIds(scene, place.property, common.value),
                            hintOf(place, common));
             }};
 }
