@@ -147,7 +147,8 @@ void fillMenu(QMenu& menu, const FieldPlace& place)
     for (const Entry& entry : subject.document().scene().items)
         if (const Kind kind = kindOfItem(entry.item); property.pointsAt.contains(kind)) {
             const auto* list = std::get_if<std::vector<Id>>(&now);
-            QAction* action = choose(icon(QString::fromUtf8(kindName(kind).data())),
+            const QString picture = QString::fromUtf8(kindName(kind).data());
+            QAction* action = choose(list ? QIcon() : icon(picture), // a list has ticks there
                                      inMenu(QString::fromStdString(nameOf(entry.item))),
                                      list ? Value(toggled(*list, entry.id)) : Value(entry.id));
             action->setCheckable(list);
