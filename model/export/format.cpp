@@ -78,7 +78,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Nothing,
-                 {12, 0, 0, 0, 12 * int(Tubes::vertices)},
+                 {12, 0, 0, 0, 390, 4, 12 * int(Tubes::vertices)},
                  glbMoment,
                  gltfSink},
     ExportFormat{".gltf",
@@ -87,7 +87,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Nothing,
-                 {16, 0, 0, 0, 16 * int(Tubes::vertices)},
+                 {16, 0, 0, 0, 840, 5, 16 * int(Tubes::vertices)},
                  nullptr,
                  gltfSink},
     ExportFormat{".pc2",
@@ -218,13 +218,14 @@ Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
 double expectedSize(const ExportFormat& format, const Layout& layout,
                     const MeshAppearance& appearance, std::size_t frames)
 {
-    const auto& [particle, panel, link, probe, roundLine] = format.bytes;
+    const auto& [particle, panel, link, probe, frame, pair, roundLine] = format.bytes;
     const auto roundLines = std::ranges::count_if(
         layout.links, [&](const Layout::Link& row) { return appearance.isRound(row.id); });
     const double each =
         double(particle) * double(layout.particleId.size())
         + double(panel) * double(layout.panelId.size()) + double(link) * double(layout.links.size())
-        + double(probe) * double(layout.probes.size()) + double(roundLine) * double(roundLines);
+        + double(roundLine) * double(roundLines) + double(probe) * double(layout.probes.size())
+        + double(frame) + double(pair) * double(frames);
     return each * double(frames);
 }
 

@@ -25,6 +25,8 @@ struct ExportFormat
         int panel;
         int link;
         int probe;
+        int frame = 0;     // whatever is in it
+        int pair = 0;      // of frames: each has a weight for each
         int roundLine = 0; // beside what a link has
     };
 
