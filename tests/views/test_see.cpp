@@ -1,15 +1,11 @@
 // Colours by tear limit, the peak, and arrows on elements.
 //
-// Stages: colours by tear load and stress; the ghost of the design; trails; the range of colours,
-// the peak, and what there is nothing of; then arrows, and how many of them are drawn.
+// Stages: colours by tear load and stress; the ghost of the design; trails; the range of colours
+// and the peak; then arrows, and how many of them are drawn.
 #include "layers/grain_layer.h"
-#include "layers/picture.h"
 #include "layers/vector_layer.h"
-#include "look/collider_geometry.h"
 #include "look/design_ghost.h"
-#include "look/figure.h"
 #include "look/loose_particles.h"
-#include "look/people.h"
 #include "look/quantity_values.h"
 #include "look/trails.h"
 #include "look/vectors.h"
@@ -212,73 +208,6 @@ private slots:
         QVERIFY(!legend.labels().contains("1, breaks"));
         legend.setScale(ColorBy::Stress, {0.0, 2.0}, ColorMap::sequential());
         QVERIFY(!legend.labels().contains("1, breaks"));
-    }
-
-    void nothingToMeasure_data()
-    {
-        QTest::addColumn<int>("colorBy");
-        for (std::size_t i = std::size_t(ColorBy::Material) + 1; i < colorByCount; ++i)
-            QTest::newRow(colorByNames[i].data()) << int(i);
-    }
-
-    // A frame without links and panels, and without strengths and what is painted, has none of the
-    // quantities but speed, and an empty one not even that. The legend then has no scale and no
-    // range to be typed; it says what is missing, and its tip what to do.
-    void nothingToMeasure()
-    {
-        QFETCH(int, colorBy);
-        const auto quantity = ColorBy(colorBy);
-        Frame bare;
-        auto layout = std::make_shared<Layout>();
-        layout->particleId = {11};
-        bare.layout = layout;
-        bare.position = {Vec3::Zero()};
-        bare.velocity = {Vec3::Zero()};
-        QCOMPARE(valuesOf(bare, quantity, Look()).isKnown, quantity == ColorBy::Speed);
-        bare.layout = std::make_shared<Layout>();
-        bare.position = {};
-        bare.velocity = {};
-        QVERIFY(!valuesOf(bare, quantity, Look()).isKnown);
-
-        Legend legend;
-        legend.setScale(quantity, {0.0, 1.0}, ColorMap::sequential());
-        legend.setPeak(Peak{31, 1.0}, {0.0, 1.0});
-        QVERIFY(!legend.labels().isEmpty());
-        const QSize full = legend.size();
-        const QString hint = legend.toolTip();
-        legend.setPeak(std::nullopt);
-        QVERIFY(legend.labels().isEmpty() && !legend.hasRange());
-        QVERIFY(!legend.peakText().isEmpty());
-        QVERIFY(legend.toolTip().endsWith('.') && legend.toolTip() != hint);
-        QVERIFY(legend.height() < full.height() / 2);
-        const int text = QFontMetrics(legend.font()).horizontalAdvance(legend.peakText());
-        QVERIFY(text < legend.width());
-        legend.setPeak(Peak{31, 1.0}, {0.0, 1.0});
-        QCOMPARE(legend.size(), full);
-        QCOMPARE(legend.toolTip(), hint);
-    }
-
-    // Nothing is painted as if it had been measured.
-    void nothingToMeasureIsGrey()
-    {
-        const Frame now = frame();
-        const Scene scene;
-        const Look look;
-        const Theme theme = Theme::light();
-        const std::vector<Id> ids;
-        const std::vector<ColliderBody> bodies;
-        const std::vector<Person> people;
-        const std::vector<std::vector<Limb>> limbs;
-        const ColorMap& colors = ColorMap::sequential();
-        const Color grey = colors.at(std::numeric_limits<double>::quiet_NaN());
-        for (const ColorBy colorBy : {ColorBy::Margin, ColorBy::Strain}) {
-            const QuantityValues values = valuesOf(now, colorBy, look);
-            QCOMPARE(values.isKnown, colorBy == ColorBy::Strain);
-            const Picture picture{scene,  now,   look,    theme,  nullptr, ids,        bodies,
-                                  people, limbs, colorBy, values, colors,  {0.0, 1.0}, {}};
-            for (const double value : values.particle)
-                QCOMPARE(picture.colorOf(value) == grey, colorBy == ColorBy::Margin);
-        }
     }
 
     // An end of the colours says when values lie beyond it, in whichever unit it is shown; one that
