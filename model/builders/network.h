@@ -14,10 +14,10 @@
 
 namespace ripstop {
 
-// Appends an item under a fresh id.
+// Appends an item under a fresh id; no group where there is nothing for it.
 Id addItem(Scene& scene, Item item);
 Id addGround(Scene& scene); // the plane y = 0
-Id addGroup(Scene& scene, std::string name, std::vector<Id> members); // none without members
+Id addGroup(Scene& scene, std::string name, std::vector<Id> members);
 Id addWind(Scene& scene, const Vec3& velocity); // m/s
 Id addProbe(Scene& scene, std::string name, Quantity quantity, Id target = noId, Id from = noId);
 
