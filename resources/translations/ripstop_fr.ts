@@ -12728,6 +12728,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>How far the trailing edge may sink below where it is cut before they hold it.</source>
+        <translation>De combien le bord de fuite peut descendre au-dessous de sa coupe avant qu’elles ne le retiennent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>How fast a particle moves now.</source>
         <translation>À quelle vitesse une particule se déplace maintenant.</translation>
     </message>
@@ -13208,6 +13213,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Lines from the king post to the trailing edge of each half of real cloth: slack in flight, they hold it up in a dive, where it would flap down and take the nose with it.</source>
+        <translation>Suspentes du mât au bord de fuite de chaque moitié en vraie toile : lâches en vol, elles le retiennent en piqué, où il s’abaisserait et entraînerait le nez.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Lines only do not grow longer, rods also not shorter, springs pull with a force.</source>
         <translation>Les lignes ne s’allongent pas, les tiges ne raccourcissent pas non plus, les ressorts tirent avec une force.</translation>
     </message>
@@ -13360,6 +13370,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Lowest value</source>
         <translation>Valeur la plus basse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Luff lines</source>
+        <translation>Rappels de bord de fuite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Luff slack</source>
+        <translation>Mou des rappels</translation>
     </message>
     <message>
         <location filename="tables"/>
