@@ -12729,7 +12729,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>How far the trailing edge may sink below where it is cut before they hold it.</source>
-        <translation>De combien le bord de fuite peut descendre au-dessous de sa coupe avant qu’elles ne le retiennent.</translation>
+        <translation>De combien le bord de fuite peut descendre au-dessous de sa coupe avant qu’ils ne le retiennent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13214,7 +13214,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>Lines from the king post to the trailing edge of each half of real cloth: slack in flight, they hold it up in a dive, where it would flap down and take the nose with it.</source>
-        <translation>Suspentes du mât au bord de fuite de chaque moitié en vraie toile : lâches en vol, elles le retiennent en piqué, où il s’abaisserait et entraînerait le nez.</translation>
+        <translation>Rappels du mât au bord de fuite de chaque moitié en vraie toile : lâches en vol, ils le retiennent en piqué, où il s’abaisserait et entraînerait le nez.</translation>
     </message>
     <message>
         <location filename="tables"/>
