@@ -253,6 +253,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& o
     const std::vector<Failure> unwritten = files.finish(*simulation.frame());
     Json result = runReport(simulation, wallSeconds);
     result["landings"] = landingsOf(files.landings(), scene);
+    tellOpening(scene, result);
     if (!options.loads.empty())
         tellUnjudged(namesWithoutStrength(scene), result);
     if (settler)

@@ -20,6 +20,9 @@ Json namesWithoutStrength(const Scene& scene);
 // Puts them into the report; says it where there is nothing but them.
 void tellUnjudged(Json names, Json& result);
 
+// Puts into the loads which safety factor makes up for opening loads that are too low, if any are.
+void tellOpening(const Scene& scene, Json& result);
+
 // Seconds by stage; what is left of the wall time is the watchdog and what is written.
 Json profileOf(const StepTimes& times, double wallSeconds);
 

@@ -51,4 +51,11 @@ std::vector<Id> materialsThatNeverTear(const Scene& scene)
     return usedMaterials(scene, usageOf(scene), outlastsStrength);
 }
 
+bool understatesOpening(const Scene& scene)
+{
+    bool holdsAir = false;
+    forEachPart(scene, [&](Id, const Part& part) { holdsAir |= part.canopyPressure > 0.0; });
+    return holdsAir && scene.settings.safetyFactor < openingSafetyFactor;
+}
+
 } // namespace ripstop

@@ -4837,6 +4837,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>Loads of a canopy that opens are a third to two fifths below measured ones. %1</source>
+        <translation>Les charges d’une voilure qui s’ouvre sont d’un tiers à deux cinquièmes inférieures à celles qu’on mesure. %1</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>Never tears: %1. %2</source>
         <translation>Ne se déchire jamais : %1. %2</translation>
     </message>
@@ -4869,6 +4874,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_panel.cpp"/>
         <source>Select these materials, so that the inspector shows their strengths.</source>
         <translation>Sélectionner ces matériaux, pour que l’inspecteur montre leurs résistances.</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Take a safety factor</source>
+        <translation>Prendre un coefficient de sécurité</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Take a safety factor of %1</source>
+        <translation>Prendre un coefficient de sécurité de %1</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>The air in a canopy lacks what makes the opening shock, so that a real one may tear where this one holds. Margins count every strength as so many times lower; flights and tears stay as they are.</source>
+        <translation>Il manque à l’air d’une voilure ce qui fait le choc à l’ouverture, de sorte qu’une vraie peut se déchirer là où celle-ci tient. Les marges comptent chaque résistance comme autant de fois plus faible ; vols et déchirures restent ce qu’ils sont.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>

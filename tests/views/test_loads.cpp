@@ -5,6 +5,7 @@
 #include "document/selection.h"
 #include "loads/load_list.h"
 #include "loads/load_panel.h"
+#include "model/real_craft.h"
 #include "small_scenes.h"
 #include "views/run_with_widgets.h"
 
@@ -260,6 +261,18 @@ private slots:
         };
         QVERIFY(launchOf(0.3));
         QVERIFY(!launchOf(0.0));
+    }
+
+    // Margins of canopies are too good when they open, and the list says so, with a remedy.
+    void saysThatOpeningLoadsAreLow()
+    {
+        Bench bench(craft("parachute", nylon({{"pressure", 1.68}})));
+        bench.player.playUntil(0.1);
+        auto* note = bench.panel.findChild<QLabel*>("opening");
+        QTRY_VERIFY(note->isVisible());
+        emit note->linkActivated("#");
+        QCOMPARE(bench.document.scene().settings.safetyFactor, 1.7);
+        QTRY_VERIFY(!note->isVisible());
     }
 
     // A list that is silent of some elements says so.

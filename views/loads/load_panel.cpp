@@ -45,6 +45,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     , m_ofRun(new LoadList(tr("Worst of the run"), tr("Worst places of the run")))
     , m_unjudged(new QLabel)
     , m_untearable(new QLabel)
+    , m_opening(new QLabel)
     , m_more(new QLabel)
     , m_launch(new QLabel)
 {
@@ -74,6 +75,7 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     connect(m_materials, &QPushButton::clicked, this, &LoadPanel::selectUnjudged);
     connect(m_unjudged, &QLabel::linkActivated, this, &LoadPanel::selectUnjudged);
     connect(m_untearable, &QLabel::linkActivated, this, &LoadPanel::letTear);
+    connect(m_opening, &QLabel::linkActivated, this, &LoadPanel::takeSafetyFactor);
     for (LoadList* list : {m_now, m_ofRun})
         connect(list, &LoadList::chosen, this, &LoadPanel::choose);
     refresh();
@@ -110,7 +112,7 @@ QWidget* LoadPanel::listPage()
     lists->setChildrenCollapsible(false);
     lists->setStretchFactor(0, 5); // it has no times
     lists->setStretchFactor(1, 6);
-    for (QLabel* note : {m_more, m_unjudged, m_untearable, m_launch}) {
+    for (QLabel* note : {m_more, m_unjudged, m_untearable, m_opening, m_launch}) {
         note->setWordWrap(true);
         note->setMargin(4);
         note->setTextFormat(Qt::RichText);
@@ -121,6 +123,11 @@ QWidget* LoadPanel::listPage()
     m_untearable->setToolTip(
         tr("Lets these materials tear by strength: cloth, lines and spars then "
            "break where their margin is 1."));
+    m_opening->setObjectName(QStringLiteral("opening"));
+    m_opening->setToolTip(
+        tr("The air in a canopy lacks what makes the opening shock, so that a real one may tear "
+           "where this one holds. Margins count every strength as so many times lower; flights and "
+           "tears stay as they are."));
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -129,6 +136,7 @@ QWidget* LoadPanel::listPage()
     layout->addWidget(m_more);
     layout->addWidget(m_unjudged);
     layout->addWidget(m_untearable);
+    layout->addWidget(m_opening);
     layout->addWidget(m_launch);
     return page;
 }
@@ -233,6 +241,7 @@ void LoadPanel::refresh()
     if (std::exchange(m_isEdited, false)) {
         showUnjudged();
         showUntearable();
+        showOpening();
     }
 }
 
@@ -263,6 +272,16 @@ void LoadPanel::showUntearable()
         tr("Never tears: %1. %2")
             .arg(namesOf(holding), QStringLiteral("<a href=\"#\">%1</a>")
                                        .arg(tr("Let it tear by its strength").toHtmlEscaped())));
+}
+
+void LoadPanel::showOpening()
+{
+    m_opening->setVisible(understatesOpening(m_document.scene()));
+    const QString remedy =
+        tr("Take a safety factor of %1").arg(spokenText(openingSafetyFactor, {}));
+    m_opening->setText(
+        tr("Loads of a canopy that opens are a third to two fifths below measured ones. %1")
+            .arg(QStringLiteral("<a href=\"#\">%1</a>").arg(remedy.toHtmlEscaped())));
 }
 
 void LoadPanel::showMore()
@@ -299,6 +318,13 @@ void LoadPanel::letTear()
          {SetValues{&propertyOf<&Material::tearRule>(),
                     materialsThatNeverTear(m_document.scene()),
                     {std::string(choiceNames<TearRule>[std::size_t(TearRule::Strength)])}}}});
+}
+
+void LoadPanel::takeSafetyFactor()
+{
+    m_document.push(
+        {Message("Take a safety factor"),
+         {SetValues{&propertyOf<&Settings::safetyFactor>(), {settingsId}, {openingSafetyFactor}}}});
 }
 
 void LoadPanel::tellWhyNone(const Frame* frame)

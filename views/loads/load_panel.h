@@ -67,9 +67,11 @@ private:
     void showUnjudged();
     void selectUnjudged();
     void showUntearable();
+    void showOpening();
     void showMore();
     void showLaunch(const Frame& frame, const WorstPlaces& ofRun);
     void letTear();
+    void takeSafetyFactor();
     QString namesOf(const std::vector<Id>& materials) const;
 
     Document& m_document;
@@ -83,6 +85,7 @@ private:
     LoadList* m_ofRun;
     QLabel* m_unjudged;        // materials without a strength, below the lists
     QLabel* m_untearable;      // materials that hold beyond theirs, likewise
+    QLabel* m_opening;         // that canopies open too softly
     QLabel* m_more;            // that more has broken than is listed
     QLabel* m_launch;          // that the worst of the run was the launch
     bool m_isEdited = true;    // since those were found
