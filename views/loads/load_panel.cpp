@@ -117,6 +117,7 @@ QWidget* LoadPanel::listPage()
         note->setMargin(4);
         note->setTextFormat(Qt::RichText);
         note->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+        note->hide(); // takes no room before it has something to say
     }
     m_unjudged->setToolTip(helpOfMaterials());
     m_untearable->setObjectName(QStringLiteral("untearable"));
