@@ -122,7 +122,7 @@ std::string objText(const Surface& surface)
     text += surface.lines.empty() ? "" : "g lines\n";
     for (const auto& [a, b] : surface.lines)
         text += "l " + std::to_string(a + 1) + ' ' + std::to_string(b + 1) + '\n';
-    return text + objLoose(surface);
+    return text += objLoose(surface);
 }
 
 Result<std::string> objMoment(const Frame& frame, const MeshAppearance& appearance)
