@@ -202,58 +202,6 @@ void DirectSolver::takeGuides(const System& system)
         bar.guided = m_guides[bar.a].guide != Guide::None || m_guides[bar.b].guide != Guide::None;
 }
 
-void DirectSolver::findIslands()
-{
-    // Every row points to a lower one of its island until it points to the lowest; those that a pin
-    // holds point to -1 in the end.
-    std::vector<int> lower(m_particle.size());
-    std::iota(lower.begin(), lower.end(), 0);
-    const auto lowest = [&](std::uint32_t row) {
-        while (lower[row] != int(row))
-            row = std::uint32_t(lower[row]);
-        return int(row);
-    };
-    std::vector<std::uint8_t> held(lower.size(), 0);
-    const auto forEachTie = [&](const auto& visit) { // ends, the lower row first
-        for (const Bar& bar : m_bars)
-            visit(std::min(bar.a, bar.b), std::max(bar.a, bar.b));
-        forEachTriple([&](const Triple& triple) {
-            for (const auto& [from, to] : sidesOfTriple) {
-                const auto [low, high] = std::minmax(triple.row[from], triple.row[to]);
-                visit(low, high);
-            }
-        });
-    };
-    forEachTie([&](std::uint32_t a, std::uint32_t b) {
-        if (b >= nodes())
-            return;
-        const auto [low, high] = std::minmax({lowest(a), lowest(b)});
-        lower[std::size_t(high)] = low;
-    });
-    forEachTie([&](std::uint32_t a, std::uint32_t b) {
-        if (a < nodes() && b >= nodes())
-            held[std::size_t(lowest(a))] = 1;
-    });
-    for (std::size_t i = 0; i < m_guides.size(); ++i) // a guide holds across itself
-        if (m_guides[i].guide != Guide::None)
-            held[std::size_t(lowest(std::uint32_t(i)))] = 1;
-
-    m_island.assign(nodes(), -1);
-    m_islandMass.clear();
-    std::vector<int> number(nodes(), -1);
-    for (std::size_t i = 0; i < nodes(); ++i) {
-        const auto root = std::size_t(lowest(std::uint32_t(i)));
-        if (held[root])
-            continue;
-        if (number[root] < 0) {
-            number[root] = int(m_islandMass.size());
-            m_islandMass.push_back(0.0);
-        }
-        m_island[i] = number[root];
-    }
-    m_drift.assign(m_islandMass.size(), Row{});
-}
-
 void DirectSolver::refresh(const System& system)
 {
     if (hasSamePins(system) && m_isOfThreads == isOfThreads(system)

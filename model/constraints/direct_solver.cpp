@@ -1,8 +1,8 @@
 // Newton's method for a block of rods, which direct_prepare.cpp has made ready. project() makes
 // iterations of three stages: assemble() (direct_assemble.cpp), factorise and solve, then
 // arrive() where the move leads, which go() takes less of while it does not bring the sum down.
-// In the end keepCenters() takes back what rounding moved the centres of islands, and positions and
-// multipliers are handed back.
+// In the end keepCenters() (direct_islands.cpp) takes back what rounding moved the centres of
+// islands, and positions and multipliers are handed back.
 #include "constraints/direct_solver.h"
 
 #include "constraints/guides.h"
@@ -26,65 +26,15 @@ constexpr double leftByIterations =
 constexpr double longSwing = 2.0;     // steps within a radian of it, squared
 constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
-// Of the taut stiffness: much of it lets pulls settle soon and folds a little later, which contacts
-// cannot wait for.
-constexpr double keptInTheAir = 1e-2;
-constexpr double keptOnObstacles = 1e-3;
+// Much of it lets pulls settle soon and folds a little later. In wind, folds pull as much as the
+// rest does: with all of it each iteration takes 2 % of what the one before has left. Less of it in
+// each of many iterations ends that. Contacts cannot wait for folds, and do not settle while it
+// changes.
+constexpr KeptByFolds keptInTheAir{.most = 1e-2, .least = 1e-5};
+constexpr KeptByFolds keptOnObstacles{.most = 1e-3, .least = 1e-3};
+constexpr int manyIterations = 5;
 
 } // namespace
-
-// Rods move no centre of mass. Stiff ones next to light particles would do so by rounding errors.
-void DirectSolver::keepCenters()
-{
-    if (!m_drag.empty())
-        return keepDraggedCenters();
-    std::fill(m_drift.begin(), m_drift.end(), Row{});
-    for (std::size_t i = 0; i < m_island.size(); ++i)
-        if (m_island[i] >= 0)
-            pack(m_drift[std::size_t(m_island[i])].v) +=
-                m_mass[i] * (pack(m_position[i].v) - pack(m_guess[i].v));
-    leaveHeldIslands();
-    for (std::size_t i = 0; i < m_island.size(); ++i)
-        if (m_island[i] >= 0) {
-            const auto island = std::size_t(m_island[i]);
-            pack(m_position[i].v) -= pack(m_drift[island].v) / m_islandMass[island];
-        }
-}
-
-// What an obstacle holds has no centre to keep.
-void DirectSolver::leaveHeldIslands()
-{
-    for (const HeldContact& contact : m_contacts.list())
-        if (contact.acts && m_island[contact.row] >= 0)
-            m_drift[std::size_t(m_island[contact.row])] = {};
-}
-
-// With forces that fall as rods move things the sum of M (x - y) is what stays 0.
-void DirectSolver::keepDraggedCenters()
-{
-    std::fill(m_drift.begin(), m_drift.end(), Row{});
-    m_islandDrag.assign(m_drift.size(), Mat3::Zero());
-    const auto vec = [](const Row& row) { return Vec3(row.v[0], row.v[1], row.v[2]); };
-    const auto add = [](Row& row, const Vec3& value) {
-        for (int c = 0; c < 3; ++c)
-            row.v[c] += value[c];
-    };
-    for (std::size_t i = 0; i < m_island.size(); ++i)
-        if (m_island[i] >= 0) {
-            const auto island = std::size_t(m_island[i]);
-            const Mat3 inertia = m_mass[i] * Mat3::Identity() + m_drag[i];
-            m_islandDrag[island] += inertia;
-            add(m_drift[island], inertia * (vec(m_position[i]) - vec(m_guess[i])));
-        }
-    leaveHeldIslands();
-    for (std::size_t k = 0; k < m_drift.size(); ++k) {
-        const Vec3 off = m_islandDrag[k].inverse() * vec(m_drift[k]);
-        m_drift[k] = {{off.x(), off.y(), off.z(), 0.0}};
-    }
-    for (std::size_t i = 0; i < m_island.size(); ++i)
-        if (m_island[i] >= 0)
-            pack(m_position[i].v) -= pack(m_drift[std::size_t(m_island[i])].v);
-}
 
 void DirectSolver::takeDamping(const RodTask& task)
 {
@@ -171,6 +121,8 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         const double before = assemble(pool);
         if (!solveForMoves(pool)) // something is not a number or negative: the watchdog sees it
             break;
+        if (taken >= manyIterations && share == 1.0)
+            m_panels.keepLess();
         moveAlongGuides();
         const Arrival arrival = arrive(pool);
         near = arrival.worst < tolerance
@@ -208,6 +160,7 @@ double DirectSolver::goDown(double before, ThreadPool& pool)
 {
     if (merit() <= before)
         return 1.0;
+    m_panels.keepMore();
     double share = 1.0;
     const bool lifts = m_guides.empty() && m_contacts.lift(m_position);
     if (lifts)

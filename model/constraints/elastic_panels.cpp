@@ -264,8 +264,7 @@ bool ElasticPanels::hasMoreThan(double twice, std::span<const Row> position) con
 double ElasticPanels::measure(std::span<const Row> position, ThreadPool& pool)
 {
     inParallel(pool, [&](std::span<FourPanels> fours) {
-        (wideMachine ? wide::measureFours : anywhere::measureFours)(fours, position.data(),
-                                                                    m_keptByFolds);
+        (wideMachine ? wide::measureFours : anywhere::measureFours)(fours, position.data(), m_kept);
     });
     return energy();
 }

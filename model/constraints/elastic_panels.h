@@ -20,6 +20,7 @@
 #include "parallel/thread_pool.h"
 #include "system/membrane.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -48,6 +49,15 @@ struct FourPanels
     Coordinates before{};              // N/m, of the law where the move began
 };
 
+// What a panel that gives way has in the matrix beside its law, as a share of what it has when it
+// is taut: cloth that folds switches between the two from one iteration to the next, and with
+// nothing to resist that it goes too far each time.
+struct KeptByFolds
+{
+    double most = 0.0;
+    double least = 0.0;
+};
+
 class ElasticPanels
 {
 public:
@@ -72,10 +82,10 @@ public:
     void start(const System& system, std::span<const std::uint8_t> gone, const RodPast& past,
                ThreadPool& pool);
 
-    // What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
-    // cloth that folds switches between the two from one iteration to the next, and with nothing to
-    // resist that it goes too far each time.
-    void setKeptByFolds(double share) { m_keptByFolds = share; }
+    // From the next measure() on: how much folds keep; less or more, within what was set.
+    void setKeptByFolds(const KeptByFolds& kept) { m_kept = kept.most, m_mayKeep = kept; }
+    void keepLess() { m_kept = std::max(0.25 * m_kept, m_mayKeep.least); }
+    void keepMore() { m_kept = std::min(16.0 * m_kept, m_mayKeep.most); }
 
     // Where the rows are now; returns twice the energy of the law there, kg m^2.
     double measure(std::span<const Row> position, ThreadPool& pool);
@@ -115,7 +125,8 @@ private:
 
     std::vector<ElasticPanel> m_panels;
     std::vector<FourPanels> m_fours;
-    double m_keptByFolds = 0.0; // 1
+    KeptByFolds m_mayKeep;
+    double m_kept = 0.0; // 1
 };
 
 } // namespace ripstop
