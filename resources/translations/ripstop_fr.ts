@@ -4762,6 +4762,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
+        <source>%1. It can bear %2.</source>
+        <translation>%1. Supporte %2.</translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
         <source>Bending moment of the spar beside this link</source>
         <translation>Moment de flexion du longeron à côté de cette liaison</translation>
     </message>

@@ -214,6 +214,34 @@ private slots:
         QVERIFY(bench.player.frame()->worstOfRun.all()[0].time < 0.1);
     }
 
+    // In the lists of a window of 1280 pixels, names stand whole, and what a place can bear gives
+    // way to them; a wide list has both.
+    void namesHaveTheirRoom()
+    {
+        Scene scene = hangingPair(40.0);
+        std::get<Material>(*findItem(scene, Id{5})).name = "suspension line";
+        LoadedPlace place;
+        place.element = place.whole = 4;
+        place.kind = LoadKind::Cloth;
+        place.load = 173.0;      // N/m
+        place.strength = 6400.0; // N/m
+        LoadList list("Places", "Places");
+        list.hideColumn(LoadList::Time);
+        list.show();
+        for (const int width : {320, 900, 320}) {
+            list.resize(width, 150);
+            list.showPlaces(scene, std::vector{place});
+            QCoreApplication::processEvents();
+            QTRY_COMPARE(list.isColumnHidden(LoadList::Strength), width < 900);
+            const QTreeWidgetItem& row = *list.topLevelItem(0);
+            const int words =
+                list.fontMetrics().horizontalAdvance(row.text(LoadList::Place)); // "suspen... 4"
+            QVERIFY(list.columnWidth(LoadList::Place) > words);
+            QVERIFY(row.toolTip(LoadList::Place).contains("suspension line, link 4"));
+            QVERIFY(row.toolTip(LoadList::Load).contains("6400\u00a0N/m"));
+        }
+    }
+
     // Places change their ranks while one looks at them; those that tore say so.
     void markGoesWithThePlace()
     {

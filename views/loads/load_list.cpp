@@ -48,6 +48,14 @@ QString loadWords(LoadKind kind)
     return {};
 }
 
+QString helpOfLoad(const LoadedPlace& place)
+{
+    const QString words = loadWords(place.kind);
+    return place.strength > 0.0
+               ? LoadList::tr("%1. It can bear %2.").arg(words, amount(place.strength, place.kind))
+               : words;
+}
+
 QIcon signOf(double margin)
 {
     if (margin >= 1.0)
@@ -109,15 +117,37 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         item.setText(Place, place.torn ? tr("%1. %2: torn").arg(++torn).arg(words) : words);
         item.setData(Place, Qt::UserRole, place.element);
         item.setSelected(held != 0 && place.element == held);
-        item.setToolTip(Place, shownAsIs(describe(scene, {Id{place.element}})));
+        const QString whole = describe(scene, {Id{place.element}});
+        item.setToolTip(Place, shownAsIs(item.text(Place) + QChar('\n') + whole));
         item.setText(Load, amount(place.load, place.kind));
-        item.setToolTip(Load, loadWords(place.kind));
+        item.setToolTip(Load, helpOfLoad(place));
         item.setText(Strength, isJudged ? amount(place.strength, place.kind) : QString());
         item.setText(Time, spokenText(place.time, "s"));
         for (const Column column : {Margin, Load, Strength, Time})
             item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
+    makeRoomForPlaces();
     scheduleDelayedItemsLayout(); // columns follow longer numbers only when rows are laid out
+}
+
+// By the widest of all, so that a column does not come and go with the places of a run.
+void LoadList::makeRoomForPlaces()
+{
+    const auto width = [this](Column column) {
+        return isColumnHidden(column)
+                   ? 0
+                   : std::max(sizeHintForColumn(column), header()->sectionSizeHint(column));
+    };
+    m_widestPlace = std::max(m_widestPlace, width(Place));
+    m_widestStrength = std::max(m_widestStrength, width(Strength));
+    const int all = width(Margin) + m_widestPlace + width(Load) + m_widestStrength + width(Time);
+    setColumnHidden(Strength, all > viewport()->width());
+}
+
+void LoadList::resizeEvent(QResizeEvent* event)
+{
+    QTreeWidget::resizeEvent(event);
+    makeRoomForPlaces();
 }
 
 } // namespace ripstop
