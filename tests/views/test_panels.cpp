@@ -11,6 +11,7 @@
 #include "plots/plot_panel.h"
 #include "plots/polar_chart.h"
 #include "problems/problem_list.h"
+#include "problems/stability_list.h"
 #include "small_scenes.h"
 #include "start/samples.h"
 #include "start/start_page.h"
@@ -24,6 +25,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QTextLayout>
 #include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
@@ -298,6 +300,50 @@ private slots:
         QCOMPARE(part.links[0].restLength, 1.0);
         QCOMPARE(bench.document.history().count(), 2);
         QTRY_VERIFY(!poor());
+    }
+
+    // Whatever their width and language, sentences of the stability list are not cut: the row that
+    // a view paints in that width is not higher than the room that it has.
+    void sentencesOfStabilityHaveTheirRoom()
+    {
+        Bench bench(fallingPair());
+        StabilityList list(bench.document, bench.selection);
+        const char* sentences[] = {
+            "Tout se trouve dans un même plan vertical, au dernier chiffre près, et sans vent rien "
+            "ne l’en écarte : il y reste. Un vent de 0,1 m/s en travers, ou un peu de vitesse "
+            "à une particule, le laisse se balancer et se plier.",
+            "Everything lies in one upright plane to the last digit, and without wind nothing "
+            "leaves it: a wind of 0.1 m/s lets it sway and fold."};
+        std::vector<Finding> findings;
+        for (const char* sentence : sentences) {
+            findings.push_back({Severity::Warning, Message::verbatim(sentence), {}});
+            findings.back().subject = Message::verbatim("Tissu");
+        }
+        list.resize(350, 120);
+        list.show();
+        list.showFindings(findings);
+        for (int width = 220; width < 420; ++width) {
+            list.resize(width, 120);
+            QCoreApplication::processEvents();
+            for (int row = 0; row < list.topLevelItemCount(); ++row) {
+                QTextLayout text(list.topLevelItem(row)->text(1), list.font());
+                QTextOption wrap;
+                wrap.setWrapMode(QTextOption::WordWrap);
+                text.setTextOption(wrap);
+                const int margin = list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1;
+                text.beginLayout();
+                double height = 0.0;
+                for (QTextLine line = text.createLine(); line.isValid(); line = text.createLine()) {
+                    line.setLineWidth(list.columnWidth(1) - 2 * margin);
+                    height += line.height();
+                }
+                text.endLayout();
+                const int room = list.visualItemRect(list.topLevelItem(row)).height();
+                QVERIFY2(
+                    room >= height,
+                    qPrintable(QStringLiteral("%1 px: %2 of %3").arg(width).arg(room).arg(height)));
+            }
+        }
     }
 
     // 65 kg on a line that one sweep makes far too soft: the run says so, in the bar and in the

@@ -1,5 +1,5 @@
 // showFindings() makes a row of each finding: sign, sentence, and a button below it where there is
-// a repair. fitRows() gives rows the height of both, again whenever the width changes. outdate()
+// a repair. fitRows() gives rows the height of both, again whenever their column changes. outdate()
 // disables the buttons after an edit; repair() pushes a copy of the edit, as the list is made anew
 // by that.
 #include "problems/stability_list.h"
@@ -38,6 +38,18 @@ private:
         option->decorationAlignment = Qt::AlignHCenter | Qt::AlignTop;
     }
 };
+
+// How high these words are in a cell of this width (px), which the style breaks otherwise than the
+// metrics of a font do.
+int heightOf(QStyleOptionViewItem cell, const QString& words, int width)
+{
+    cell.features |= QStyleOptionViewItem::HasDisplay;
+    cell.text = words;
+    cell.rect = QRect(0, 0, width, QWIDGETSIZE_MAX);
+    return cell.widget->style()
+        ->sizeFromContents(QStyle::CT_ItemViewItem, &cell, QSize(), cell.widget)
+        .height();
+}
 
 // Stands below the sentence, which would have no room beside it: the words of a repair are as many.
 QWidget* placed(QPushButton* button)
@@ -117,23 +129,25 @@ bool StabilityList::tellsPoor(std::string_view sort) const
     });
 }
 
-void StabilityList::resizeEvent(QResizeEvent* event)
+// Comes after each change of the widget and its scroll bars, which a resize of the widget alone
+// does not tell of.
+void StabilityList::updateGeometries()
 {
-    QTreeWidget::resizeEvent(event);
+    QTreeWidget::updateGeometries();
     fitRows();
 }
 
 // Rows are as high as their sentences need in the width that there is; a tree does not see to it.
 void StabilityList::fitRows()
 {
-    const int width = columnWidth(Told) - 2 * padding;
+    QStyleOptionViewItem cell;
+    initViewItemOption(&cell);
     for (int row = 0; row < topLevelItemCount(); ++row) {
         QTreeWidgetItem* item = topLevelItem(row);
-        const QRect words = fontMetrics().boundingRect(
-            QRect(0, 0, std::max(width, 1), QWIDGETSIZE_MAX), Qt::TextWordWrap, item->text(Told));
+        const int words = heightOf(cell, item->text(Told), columnWidth(Told));
         const QWidget* place = itemWidget(item, Told);
         const int below = place ? place->sizeHint().height() : 0;
-        item->setSizeHint(Told, QSize(0, words.height() + padding + below));
+        item->setSizeHint(Told, QSize(0, words + padding + below));
     }
 }
 

@@ -26,7 +26,7 @@ public:
     bool tellsPoor(std::string_view sort) const;             // a poor finding is of this sort
 
 private:
-    void resizeEvent(QResizeEvent* event) override;
+    void updateGeometries() override;
     void fitRows();
     void repair(std::size_t row);
     void outdate(); // the repairs may not fit any more
