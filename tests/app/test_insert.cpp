@@ -397,6 +397,13 @@ private slots:
         QCOMPARE(slider->value(), slider->maximum());
         slider->setValue(slider->minimum());
         QCOMPARE(numberOf(dialog, "width")->text(), QString("0.2"));
+
+        // a refused number leaves the slider where it was, not at the first digit of it
+        for (const char* refused : {"500", "1x", "-1"}) {
+            typeInto(numberOf(dialog, "width"), refused);
+            QVERIFY2(!okOf(dialog)->isEnabled(), refused);
+            QCOMPARE(slider->value(), slider->minimum());
+        }
     }
 
     // Change, undo, change again; what was tuned stays.

@@ -166,6 +166,8 @@ QWidget* ParameterField::numberRow(Slider slider)
         emit changed();
     });
     connect(m_number, &QLineEdit::editingFinished, this, [this] { // "80 kg" stands before a "kg"
+        if (isInRange())
+            m_settled = value();
         bool isPlain = false;
         (void)QLocale().toDouble(m_number->text(), &isPlain);
         if (!isPlain && refusal().isEmpty())
@@ -230,6 +232,7 @@ QString ParameterField::refusal() const
 // As the inspector shows it: 0.55 mm, with its own unit where that of the field would hide it.
 void ParameterField::show(double value)
 {
+    m_settled = value;
     m_number->setText(spokenInField(value, m_parameter.unit).number);
     mark();
 }
@@ -249,12 +252,14 @@ void ParameterField::mark()
     m_number->setPalette(colors);
 }
 
+// The first digits of a number that is refused are no number that was meant.
 void ParameterField::showOnSlider()
 {
-    if (!m_slider || !isInRange())
+    if (!m_slider)
         return;
+    const double shown = isInRange() ? value() : m_settled;
     const QSignalBlocker quiet(m_slider);
-    m_slider->setValue(int(std::lround(sliderSteps * shareOf(m_parameter, value()))));
+    m_slider->setValue(int(std::lround(sliderSteps * shareOf(m_parameter, shown))));
 }
 
 double ParameterField::sliderValue() const

@@ -58,6 +58,7 @@ private:
     QLineEdit* m_number = nullptr;
     QLabel* m_unit = nullptr; // of a bare number
     QSlider* m_slider = nullptr;
+    double m_settled = 0.0; // the number before that which is being typed
 };
 
 } // namespace ripstop
