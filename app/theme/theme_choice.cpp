@@ -58,8 +58,37 @@ QPalette paletteOf(const Colors& colors)
     return palette;
 }
 
+// Part of a colour, from 0 (none of it) to 1.
+QColor faint(QColor color, float part)
+{
+    color.setAlphaF(part);
+    return color;
+}
+
+// The ground of a tool button: in the accent of the palette while it is chosen, grey under the
+// mouse.
+void drawToolGround(const QStyleOption& option, QPainter& painter)
+{
+    const bool isOn = option.state & QStyle::State_On;
+    const bool isUnder = option.state & QStyle::State_Enabled
+                         && option.state & (QStyle::State_MouseOver | QStyle::State_Sunken);
+    if (!isOn && !isUnder)
+        return;
+    const QColor accent = option.palette.color(QPalette::Highlight);
+    const QColor text = option.palette.color(QPalette::ButtonText);
+    const bool isDown = option.state & QStyle::State_Sunken;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(isOn ? QPen(accent) : QPen(Qt::NoPen));
+    painter.setBrush(isOn ? faint(accent, isUnder ? 0.45F : 0.3F)
+                          : faint(text, isDown ? 0.2F : 0.1F));
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2.5, 2.5);
+    painter.restore();
+}
+
 // Fusion takes the edge of a box to be ticked from the colour of the window, darkened, which cannot
-// be seen on a dark one: a box without its tick would not be there.
+// be seen on a dark one: a box without its tick would not be there. It also makes a tool button
+// under the mouse brighter than one that is chosen, which takes the one for the other.
 class EdgedFusion final : public QProxyStyle
 {
 public:
@@ -70,6 +99,9 @@ public:
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override
     {
+        const bool isFlat = option->state & (State_On | State_AutoRaise);
+        if (element == PE_PanelButtonTool && isFlat)
+            return drawToolGround(*option, *painter);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         const QPalette& colors = option->palette;
         if (element != PE_IndicatorCheckBox || colors.color(QPalette::Window).lightness() >= 128)

@@ -9,8 +9,11 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QPainter>
 #include <QSettings>
 #include <QSpinBox>
+#include <QStyle>
+#include <QStyleOption>
 #include <QToolBar>
 #include <QtTest>
 
@@ -103,6 +106,34 @@ private slots:
         QVERIFY((lightness() < 128) != (desktop < 128));
         applyThemeChoice(*qApp, ThemeChoice::Desktop);
         QCOMPARE(lightness(), desktop);
+    }
+
+    // A tool that is chosen has the accent of its theme, one under the mouse is grey: neither looks
+    // like the other, nor like one that is at rest.
+    void whatIsChosenDoesNotLookPointedAt()
+    {
+        const auto ground = [](QStyle::State state) {
+            QImage picture(24, 24, QImage::Format_RGB32);
+            picture.fill(qApp->palette().color(QPalette::Window));
+            QPainter painter(&picture);
+            QStyleOption option;
+            option.rect = picture.rect();
+            option.palette = qApp->palette();
+            option.state = QStyle::State_Enabled | QStyle::State_AutoRaise | state;
+            qApp->style()->drawPrimitive(QStyle::PE_PanelButtonTool, &option, &painter);
+            return picture.pixelColor(12, 12);
+        };
+        for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            applyThemeChoice(*qApp, theme);
+            const QColor rest = ground({}), under = ground(QStyle::State_MouseOver),
+                         chosen = ground(QStyle::State_On),
+                         both = ground(QStyle::State_On | QStyle::State_MouseOver);
+            const auto colorful = [](const QColor& color) { return color.blue() - color.red(); };
+            QVERIFY(std::abs(under.lightness() - rest.lightness()) > 10);
+            QVERIFY(std::abs(colorful(under) - colorful(rest)) < 5);
+            QVERIFY(colorful(chosen) > colorful(under) + 30);
+            QVERIFY(colorful(both) > colorful(chosen) + 10);
+        }
     }
 
     void theLayoutGoesBackToTheFirst()
