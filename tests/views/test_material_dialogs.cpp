@@ -106,6 +106,13 @@ private slots:
         line.setText("2.4");
         QTest::mouseDClick(&line, Qt::LeftButton, {}, QPoint(6, 6));
         QCOMPARE(line.selectedText(), QString("2.4"));
+
+        // and who clicks three times, as in other lines, has it, too
+        line.deselect();
+        QTest::mouseClick(&line, Qt::LeftButton, {}, QPoint(6, 6));
+        QTest::mouseDClick(&line, Qt::LeftButton, {}, QPoint(6, 6));
+        QTest::mouseClick(&line, Qt::LeftButton, {}, QPoint(6, 6));
+        QCOMPARE(line.selectedText(), QString("2.4"));
     }
 
     // By what they bear one looks for a stronger one; Liros lists 45 daN.
