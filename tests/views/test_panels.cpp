@@ -104,6 +104,7 @@ private slots:
         recordings.backToLive();
         QTRY_COMPARE(substeps->text(), QString("1 substep"));
         buttonNamed(transport, "reset")->click();
+        QTRY_VERIFY2(substeps->text().isEmpty(), qPrintable(substeps->text()));
         bench.document.push(
             {Message("Sweeps"),
              {setValue(bench.document.scene(), settingsId, "solver", std::string("averaged_jacobi"))

@@ -216,13 +216,13 @@ void Transport::refreshRatio()
                              : tr("Simulated seconds per second of the clock, lately"));
 }
 
-// The automatic solver's number changes while the scene runs. It has none before its first step,
-// and no recording has kept it.
+// The automatic solver's number changes while the scene runs. It has none before the first step of
+// a run, and no recording has kept it.
 void Transport::refreshSubsteps()
 {
     const auto& frame = m_player.frame();
-    const bool isOpen =
-        frame && frame->solverChoice.empty() && m_document.scene().settings.solver == Solver::Auto;
+    const bool isOpen = frame && (frame->solverChoice.empty() || !frame->underWay)
+                        && m_document.scene().settings.solver == Solver::Auto;
     m_substeps->setText(!frame || isOpen       ? QString()
                         : frame->substeps == 1 ? tr("1 substep")
                                                : tr("%1 substeps").arg(frame->substeps));
