@@ -7,6 +7,7 @@
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/selection.h"
+#include "icons/tinted.h"
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
 #include "plots/polar_chart.h"
@@ -301,6 +302,24 @@ private slots:
         QCOMPARE(part.links[0].restLength, 1.0);
         QCOMPARE(bench.document.history().count(), 2);
         QTRY_VERIFY(!poor());
+    }
+
+    // Where a row is selected, its sign has the colour of its words.
+    void signsAreSeenInSelectedRows()
+    {
+        const QColor red(0xd6, 0x3b, 0x3b);
+        const QIcon sign = tinted(QStringLiteral("error"), red);
+        const auto hasColor = [&](QIcon::Mode mode, const QColor& color) {
+            const QImage picture = sign.pixmap(20, mode).toImage();
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x)
+                    if (picture.pixelColor(x, y) == color)
+                        return true;
+            return false;
+        };
+        const QColor words = qApp->palette().color(QPalette::HighlightedText);
+        QVERIFY(hasColor(QIcon::Normal, red) && !hasColor(QIcon::Normal, words));
+        QVERIFY(hasColor(QIcon::Selected, words) && !hasColor(QIcon::Selected, red));
     }
 
     // Whatever their width and language, sentences of the stability list are not cut: the row that

@@ -9,8 +9,9 @@
 
 namespace ripstop {
 
-// The icon in one colour, also where its row is selected. Choose a colour that can be told on light
-// and on dark.
+// The icon in one colour, and in that of the words where its row is selected: red on the blue of a
+// selection is not seen. Choose a colour that can be told on light and on dark, and icons that can
+// be told by their forms.
 QIcon tinted(const QString& name, const QColor& colour);
 
 } // namespace ripstop
