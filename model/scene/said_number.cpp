@@ -41,7 +41,8 @@ constexpr std::array table{
 
 constexpr double mostPlain = 1e4; // from here on a larger unit is said
 constexpr double mostWithPrefix = 1e3;
-constexpr double leastSaid = 0.1; // of a smaller unit, before a still smaller one
+constexpr double mostDigits = 1e15; // from here on a double no longer knows the last digit
+constexpr double leastSaid = 0.1;   // of a smaller unit, before a still smaller one
 
 std::size_t lengthOfFirst(std::string_view unit)
 {
@@ -108,9 +109,15 @@ std::string plainNumber(double number, int digits)
 {
     if (number == 0.0 || !std::isfinite(number))
         return number == 0.0 ? "0" : "\u2013";
+    std::array<char, 40> text;
+    if (std::abs(number) >= mostDigits) {
+        char* end = std::to_chars(text.data(), text.data() + text.size(), number,
+                                  std::chars_format::general, digits)
+                        .ptr;
+        return {text.data(), end};
+    }
     const int before = int(std::floor(std::log10(std::abs(number)) + 1e-12));
     const int decimals = std::clamp(digits - 1 - before, 0, 20);
-    std::array<char, 400> text; // the largest double has 309 digits
     char* end = std::to_chars(text.data(), text.data() + text.size(), number,
                               std::chars_format::fixed, decimals)
                     .ptr;

@@ -34,7 +34,8 @@ struct ReadableUnit
 
 ReadableUnit readableUnit(double largest, std::string_view unit);
 
-// As many digits as count, without exponents and without zeros at the end.
+// As many digits as count, without zeros at the end, and without exponents below 1e15: what is more
+// would be a row of digits that mean nothing, and is nothing that flies.
 std::string plainNumber(double number, int digits);
 
 // Whether it is less than what the engine holds: positions of metres are known to about 1e-12 m,

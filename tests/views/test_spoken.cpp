@@ -94,6 +94,9 @@ private slots:
         QTest::newRow("many") << 2e7 << ""
                               << "20000000"
                               << "";
+        QTest::newRow("absurd") << 1e99 << "N"
+                                << "1e+93 MN"
+                                << "";
         QTest::newRow("rounding stays") << 1e-12 << ""
                                         << "0.000000000001"
                                         << "";
