@@ -239,6 +239,8 @@ private slots:
             QVERIFY(list.columnWidth(LoadList::Place) > words);
             QVERIFY(row.toolTip(LoadList::Place).contains("suspension line, link 4"));
             QVERIFY(row.toolTip(LoadList::Load).contains("6400\u00a0N/m"));
+            list.showPlaces(scene, {});
+            QCOMPARE(list.isColumnHidden(LoadList::Strength), width < 900); // as before
         }
     }
 

@@ -130,9 +130,12 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
     scheduleDelayedItemsLayout(); // columns follow longer numbers only when rows are laid out
 }
 
-// By the widest of all, so that a column does not come and go with the places of a run.
+// By the widest of all, so that a column does not come and go with the places of a run, nor with
+// the run.
 void LoadList::makeRoomForPlaces()
 {
+    if (topLevelItemCount() == 0)
+        return;
     const auto width = [this](Column column) {
         return isColumnHidden(column)
                    ? 0
