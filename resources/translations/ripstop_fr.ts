@@ -6069,7 +6069,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="obj_file.cpp"/>
         <source>a vertex is not finite</source>
-        <translation>un sommet n’est pas fini</translation>
+        <translation>une coordonnée d’un sommet n’est pas un nombre fini</translation>
     </message>
     <message>
         <location filename="obj_file.cpp"/>
