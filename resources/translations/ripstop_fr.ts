@@ -306,7 +306,7 @@
     <message>
         <location filename="builder_dialog.cpp"/>
         <source>The view shows a run, which stays as it is until the part is changed; the view goes back to the start then. To see it before, go there first.</source>
-        <translation>La vue montre une simulation, qui reste telle quelle jusqu’à ce que la pièce soit changée ; la vue revient alors au départ. Pour le voir avant, revenez-y d’abord.</translation>
+        <translation>La vue montre une simulation, qui reste telle quelle jusqu’à ce que la pièce soit changée ; la vue revient alors au départ. Pour le voir avant, revenez-y d’abord.</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -5219,7 +5219,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="material_test.cpp"/>
         <source>%1 %2 %3, standard error %4 (%5 %); %6 points from %7 to %8 %9</source>
-        <translation>%1 %2 %3, erreur type %4 (%5 %) ; %6 points de %7 à %8 %9</translation>
+        <translation>%1 %2 %3, erreur type %4 (%5 %) ; %6 points de %7 à %8 %9</translation>
     </message>
     <message>
         <location filename="material_test.cpp"/>
@@ -5299,12 +5299,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="material_test_dialog.cpp"/>
         <source>10 % of the largest force</source>
-        <translation>10 % de la plus grande force</translation>
+        <translation>10 % de la plus grande force</translation>
     </message>
     <message>
         <location filename="material_test_dialog.cpp"/>
         <source>60 % of the largest force</source>
-        <translation>60 % de la plus grande force</translation>
+        <translation>60 % de la plus grande force</translation>
     </message>
     <message>
         <location filename="material_test_dialog.cpp"/>
@@ -6728,12 +6728,12 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     <message>
         <location filename="percentile_chart.cpp"/>
         <source>25 to 75 %</source>
-        <translation>de 25 à 75 %</translation>
+        <translation>de 25 à 75 %</translation>
     </message>
     <message>
         <location filename="percentile_chart.cpp"/>
         <source>5 to 95 %</source>
-        <translation>de 5 à 95 %</translation>
+        <translation>de 5 à 95 %</translation>
     </message>
     <message>
         <location filename="percentile_chart.cpp"/>
@@ -8346,12 +8346,12 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="run_accuracy.cpp"/>
         <source>%1 % of the steps missed the wanted accuracy, worst at %2 s in elastic panels by a factor of %3</source>
-        <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans des panneaux élastiques, d’un facteur %3</translation>
+        <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans des panneaux élastiques, d’un facteur %3</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
         <source>%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a factor of %4</source>
-        <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans la liaison %3, d’un facteur %4</translation>
+        <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans la liaison %3, d’un facteur %4</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
@@ -8371,12 +8371,12 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="run_accuracy.cpp"/>
         <source>%1. Pulls in links are off by %2 % in the last one, where %3 % are wanted: the design is not as stiff as it says. %4</source>
-        <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. %4</translation>
+        <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. %4</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
         <source>%1. Rods that never stretch are %2 % too long in the last one, where %3 % are wanted. %4</source>
-        <translation>%1. Au dernier, des tiges qui ne s’étirent jamais sont trop longues de %2 %, où %3 % sont voulus. %4</translation>
+        <translation>%1. Au dernier, des tiges qui ne s’étirent jamais sont trop longues de %2 %, où %3 % sont voulus. %4</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
@@ -8846,7 +8846,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="select_rows.cpp"/>
         <source>All with the mass, the rest length or the area of the selected ones, within 1 %.</source>
-        <translation>Tout ce qui a la masse, la longueur au repos ou l’aire de la sélection, à 1 % près.</translation>
+        <translation>Tout ce qui a la masse, la longueur au repos ou l’aire de la sélection, à 1 % près.</translation>
     </message>
     <message>
         <location filename="select_rows.cpp"/>
@@ -9481,7 +9481,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solver_plan.cpp"/>
         <source>small steps: %1 substeps of one sweep to begin with, for a strain of %2 %</source>
-        <translation>petits pas : %1 sous-pas d’un balayage pour commencer, pour une déformation de %2 %</translation>
+        <translation>petits pas : %1 sous-pas d’un balayage pour commencer, pour une déformation de %2 %</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -9711,7 +9711,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="stability.cpp"/>
         <source>Sweeps keep the stiffness of links to about %1 %.</source>
-        <translation>Les balayages respectent la raideur des liaisons à environ %1 % près.</translation>
+        <translation>Les balayages respectent la raideur des liaisons à environ %1 % près.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9751,7 +9751,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="stability.cpp"/>
         <source>This solver takes what it needs to keep the stiffness of links to %1 %; the bar of the run shows what it reaches.</source>
-        <translation>Ce solveur prend ce qu’il faut pour respecter la raideur des liaisons à %1 % près ; la barre de la simulation montre ce qu’il atteint.</translation>
+        <translation>Ce solveur prend ce qu’il faut pour respecter la raideur des liaisons à %1 % près ; la barre de la simulation montre ce qu’il atteint.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -15269,7 +15269,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>The delta of The last gust in 0.75 oz ripstop, with an old crease: along it 5 % of the cloth's strength is left, painted on the panels. At 15.3 s a gust after a lull tears the sail along the crease, from its middle to the trailing edge. Colour the fabric by strength factor to see the crease, and paint it stronger with the brush (U): with 12 % it holds.</source>
-        <translation>Le delta de « La dernière rafale » en ripstop de 0,75 oz, avec un vieux pli : il y reste 5 % de la résistance de la toile, peints sur les panneaux. À 15,3 s, une rafale après une accalmie déchire la voile le long du pli, de son milieu jusqu’au bord de fuite. Colorez la toile par le facteur de résistance pour voir le pli, et peignez-le plus fort au pinceau (U) : avec 12 %, elle tient.</translation>
+        <translation>Le delta de « La dernière rafale » en ripstop de 0,75 oz, avec un vieux pli : il y reste 5 % de la résistance de la toile, peints sur les panneaux. À 15,3 s, une rafale après une accalmie déchire la voile le long du pli, de son milieu jusqu’au bord de fuite. Colorez la toile par le facteur de résistance pour voir le pli, et peignez-le plus fort au pinceau (U) : avec 12 %, elle tient.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16914,7 +16914,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="timeline_rows.cpp"/>
         <source>Forget the run that is shown; the design stays as it is.</source>
-        <translation>Oublier la simulation montrée ; le modèle reste tel quel.</translation>
+        <translation>Oublier la simulation montrée ; le modèle reste tel quel.</translation>
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
@@ -17365,7 +17365,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="transport.cpp"/>
         <source>Error of the pulls in links in the last step, against what their stiffness says: %1 %, wanted %2 %. Largest strain of rods that never stretch: %3 %, wanted %4 %.</source>
-        <translation>Erreur des tractions dans les liaisons au dernier pas, par rapport à ce que dit leur raideur : %1 %, voulu %2 %. Plus grande déformation des tiges qui ne s’étirent jamais : %3 %, voulu %4 %.</translation>
+        <translation>Erreur des tractions dans les liaisons au dernier pas, par rapport à ce que dit leur raideur : %1 %, voulu %2 %. Plus grande déformation des tiges qui ne s’étirent jamais : %3 %, voulu %4 %.</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>
@@ -17475,7 +17475,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="transport.cpp"/>
         <source>error %1 %</source>
-        <translation>erreur %1 %</translation>
+        <translation>erreur %1 %</translation>
     </message>
     <message>
         <location filename="tuning.cpp"/>

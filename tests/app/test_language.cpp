@@ -100,6 +100,18 @@ private slots:
                  script.readAllStandardOutput() + script.readAllStandardError());
     }
 
+    // A line must not begin with the sign that a number or a word ends with. What people type, as
+    // conditions and +5 %, has the blanks that they type.
+    void signsStayWithTheirWords()
+    {
+        static const QRegularExpression torn(
+            QStringLiteral("[ ][;:!?\u00bb]|\u00ab[ ]|\\d %(?![\\dn])"));
+        static const QRegularExpression typed(QStringLiteral("[<>=]|\\+5 %|condition \\?"));
+        for (const QString& french : catalogue())
+            QVERIFY2(!torn.match(french).hasMatch() || typed.match(french).hasMatch(),
+                     qPrintable(french));
+    }
+
     void tablesOfTheModelAreFrench()
     {
         const Translation translation(Language::French);
