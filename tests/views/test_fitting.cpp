@@ -131,6 +131,45 @@ private slots:
         QCOMPARE(camera.focus.y(), 130.0);
     }
 
+    // Three panels that hang together and a fourth that a tear parts from them, for which it
+    // doubles a particle: the fourth is blown away, and the camera stays with the three, from the
+    // tear on. A link that holds keeps it with them, and of two equal pieces it goes along with
+    // both.
+    void whatIsTornIsFollowedByItsLargePieces()
+    {
+        Layout whole;
+        whole.panelId = {10, 11, 12, 13};
+        whole.particleId = {1, 2, 3, 4, 5, 6};
+        whole.panelCorners = {{3, 4, 5}, {0, 1, 2}, {1, 2, 3}, {0, 2, 3}};
+        Layout torn = whole;
+        torn.particleId.push_back(4);
+        torn.panelCorners[0][0] = 6;
+        torn.links = {{9, LinkKind::Rod, 3, 4, 1.0}};
+        Frame before;
+        before.layout = std::make_shared<Layout>(whole);
+        before.gone = {0, 0, 0, 0};
+        before.position.assign(6, Vec3(0, 10, 0));
+        Frame frame = before;
+        frame.layout = std::make_shared<Layout>(torn);
+        frame.step = 1;
+        frame.position.assign(7, Vec3(0, 11, 0));
+        frame.position[4] = frame.position[5] = frame.position[6] = Vec3(60, 11, 0);
+        frame.tears.resize(1);
+        const auto along = [&](bool holds, std::vector<std::uint8_t> gone) {
+            frame.torn = {std::uint8_t(holds ? 0 : 1)};
+            frame.gone = std::move(gone);
+            Camera camera;
+            camera.focus = Vec3(1, 10, 0);
+            Chase chase;
+            chase.settle(&before);
+            chase.move(camera, frame, &before, -100.0);
+            return camera.focus.x() - 1.0;
+        };
+        QCOMPARE(along(false, {0, 0, 0, 0}), 0.0);
+        QCOMPARE(along(true, {0, 0, 0, 0}), 15.0);  // a quarter of its panels goes 60 m
+        QCOMPARE(along(false, {0, 0, 1, 1}), 30.0); // a half
+    }
+
     // Who hangs below a parachute is in the picture when that is fitted.
     void whoHangsIsFitted()
     {

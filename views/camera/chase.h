@@ -1,9 +1,9 @@
 // Lets the camera go along with the fabric in flight, so that it stays where it is in the picture.
 //
 // The middle of the fabric (of all particles where there are no panels) is noted with each frame,
-// and the focus of the camera is shifted by as much as that has moved since the frame before. The
-// person keeps turning and zooming as before. The viewport has one of these and calls it for each
-// frame that it shows.
+// and the focus of the camera is shifted by as much as that has moved since the frame before. Of
+// fabric that has torn, the large pieces count. The person keeps turning and zooming as before. The
+// viewport has one of these and calls it for each frame that it shows.
 #pragma once
 
 #include "camera/camera.h"
