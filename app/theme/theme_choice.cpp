@@ -86,9 +86,10 @@ void drawToolGround(const QStyleOption& option, QPainter& painter)
     painter.restore();
 }
 
-// Fusion takes the edge of a box to be ticked from the colour of the window, darkened, which cannot
-// be seen on a dark one: a box without its tick would not be there. It also makes a tool button
-// under the mouse brighter than one that is chosen, which takes the one for the other.
+// Fusion takes the edges of menus and of boxes to be ticked from the colour of the window,
+// darkened, which cannot be seen on a dark one: a box without its tick would not be there, and
+// entries of a menu would lie among the words below. It also makes a tool button under the mouse
+// brighter than one that is chosen, which takes the one for the other.
 class EdgedFusion final : public QProxyStyle
 {
 public:
@@ -104,12 +105,15 @@ public:
             return drawToolGround(*option, *painter);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         const QPalette& colors = option->palette;
-        if (element != PE_IndicatorCheckBox || colors.color(QPalette::Window).lightness() >= 128)
+        const bool isMenu = element == PE_PanelMenu || element == PE_FrameMenu;
+        if (!(isMenu || element == PE_IndicatorCheckBox)
+            || colors.color(QPalette::Window).lightness() >= 128)
             return;
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing, false);
         painter->setBrush(Qt::NoBrush);
-        painter->setPen(colors.color(QPalette::PlaceholderText));
+        const QColor edge = colors.color(QPalette::PlaceholderText);
+        painter->setPen(isMenu ? faint(edge, 0.5F) : edge);
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         painter->restore();
     }

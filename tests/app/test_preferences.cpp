@@ -9,6 +9,7 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QMenu>
 #include <QPainter>
 #include <QSettings>
 #include <QSpinBox>
@@ -106,6 +107,21 @@ private slots:
         QVERIFY((lightness() < 128) != (desktop < 128));
         applyThemeChoice(*qApp, ThemeChoice::Desktop);
         QCOMPARE(lightness(), desktop);
+    }
+
+    // A menu is told from the panel that it opens over, in the dark as well.
+    void menusHaveAnEdge()
+    {
+        for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            applyThemeChoice(*qApp, theme);
+            QMenu menu;
+            menu.addAction("Select");
+            menu.resize(menu.sizeHint());
+            const QImage picture = menu.grab().toImage();
+            const int edge = picture.pixelColor(0, picture.height() / 2).lightness();
+            const int panel = qApp->palette().color(QPalette::Window).lightness();
+            QVERIFY2(std::abs(edge - panel) > 25, qPrintable(QString::number(edge)));
+        }
     }
 
     // A tool that is chosen has the accent of its theme, one under the mouse is grey: neither looks
