@@ -8,6 +8,7 @@
 #include "camera/chase.h"
 #include "camera/overlay_margins.h"
 #include "look/subject.h"
+#include "overlays/compass.h"
 #include "overlays/legend.h"
 
 #include <Eigen/Geometry>
@@ -168,6 +169,26 @@ private slots:
         QCOMPARE(along(false, {0, 0, 0, 0}), 0.0);
         QCOMPARE(along(true, {0, 0, 0, 0}), 15.0);  // a quarter of its panels goes 60 m
         QCOMPARE(along(false, {0, 0, 1, 1}), 30.0); // a half
+    }
+
+    // The wind is read over fabric as dark as its words, or as bright: they lie on a card.
+    void wordsOfTheCompassAreRead()
+    {
+        for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+            Compass compass;
+            compass.setTheme(theme);
+            compass.setWind(Vec3(6.0, 0.0, 0.0));
+            compass.setSquares(10.0);
+            QImage picture(compass.size(), QImage::Format_RGB32);
+            picture.fill(theme.text);
+            compass.render(&picture, {}, {}, QWidget::RenderFlags{});
+            int card = 0; // pixels around the words that are told from them
+            for (int x = 0; x < picture.width(); ++x)
+                for (int y = picture.width() - 4; y < picture.height(); ++y)
+                    card += std::abs(picture.pixelColor(x, y).lightness() - theme.text.lightness())
+                            > 100;
+            QVERIFY2(card > 1500, qPrintable(QString::number(card))); // two lines of 80 x 14
+        }
     }
 
     // Who hangs below a parachute is in the picture when that is fitted.

@@ -1,7 +1,7 @@
 // Directions become pixels by onScreen(), without perspective, along the axes of the camera. The
 // ring is painted first; the axes follow from back to front; the wind lies over both. A wind that
 // is seen end on has no length to draw and becomes a circle, with a dot when it comes towards the
-// eye.
+// eye. Its words and those of the squares stand below.
 #include "overlays/compass.h"
 
 #include "document/spoken.h"
@@ -107,10 +107,6 @@ void Compass::paintAxes(QPainter& painter) const
 void Compass::paintWind(QPainter& painter) const
 {
     const double speed = m_wind.norm();
-    painter.setPen(m_theme.text);
-    const QString text =
-        speed > 0.0 ? tr("Wind %1 m/s").arg(locale().toString(speed, 'f', 1)) : tr("No wind");
-    painter.drawText(QRect(0, side - 4, side, textHeight), Qt::AlignCenter, text);
     if (speed == 0.0)
         return;
 
@@ -137,6 +133,37 @@ void Compass::paintWind(QPainter& painter) const
     painter.drawPolygon(QPolygonF{tip, neck + 0.5 * head * normal, neck - 0.5 * head * normal});
 }
 
+QString Compass::windWords() const
+{
+    const double speed = m_wind.norm();
+    return speed > 0.0 ? tr("Wind %1 m/s").arg(locale().toString(speed, 'f', 1)) : tr("No wind");
+}
+
+// They lie on a card, since what flies behind them may be as dark as they are.
+void Compass::paintWords(QPainter& painter) const
+{
+    constexpr int pitch = textHeight - 4, margin = 4; // px
+    QStringList lines{m_windShown ? windWords() : QString()};
+    if (m_squares > 0.0)
+        lines << tr("Squares of %1").arg(spokenText(m_squares, "m", 2));
+    QList<QRect> places;
+    QRect card;
+    for (int i = 0; i < lines.size(); ++i) {
+        lines[i] = fontMetrics().elidedText(lines[i], Qt::ElideRight, side - 2 * margin);
+        places << QRect(0, side - 4 + i * pitch, side, textHeight);
+        if (!lines[i].isEmpty())
+            card |= fontMetrics().boundingRect(places[i], Qt::AlignCenter, lines[i]);
+    }
+    if (card.isEmpty())
+        return;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.card);
+    painter.drawRoundedRect(card.adjusted(-margin, -1, margin, 1), margin, margin);
+    painter.setPen(m_theme.text);
+    for (int i = 0; i < lines.size(); ++i)
+        painter.drawText(places[i], Qt::AlignCenter, lines[i]);
+}
+
 void Compass::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -145,11 +172,7 @@ void Compass::paintEvent(QPaintEvent*)
     paintAxes(painter);
     if (m_windShown)
         paintWind(painter);
-    if (m_squares > 0.0) {
-        painter.setPen(m_theme.text);
-        painter.drawText(QRect(0, side + textHeight - 8, side, textHeight), Qt::AlignCenter,
-                         tr("Squares of %1").arg(spokenText(m_squares, "m", 2)));
-    }
+    paintWords(painter);
 }
 
 } // namespace ripstop

@@ -1,9 +1,8 @@
 // Shows in the corner of the view which way the axes point and where the wind blows.
 //
 // The wind is an arrow across a level ring, with its speed below, and with how wide the squares on
-// the ground are. The viewport places the widget,
-// tells it the camera and the mean wind of the frame, and it paints only when one of them has
-// changed.
+// the ground are, on a card. The viewport places the widget, tells it the camera and the mean wind
+// of the frame, and it paints only when one of them has changed.
 #pragma once
 
 #include "camera/camera.h"
@@ -34,6 +33,8 @@ private:
     void paintRing(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintWind(QPainter& painter) const;
+    void paintWords(QPainter& painter) const;
+    QString windWords() const;
 
     Theme m_theme = Theme::light();
     Camera m_camera;
