@@ -27,7 +27,7 @@ namespace {
 constexpr double safety = 1.5;
 constexpr double spareForStiffness = 1.05;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
-constexpr double slowBends = 2.0;         // time steps that what bends is stable for
+constexpr double slowBends = 2.0;         // substeps of BDF2 that what bends is stable for
 constexpr double manySubsteps = 100.0;    // in 10 ms
 constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network
 constexpr double manyForPull = 40.0;
@@ -254,8 +254,8 @@ public:
     {
         SolverPlan plan;
         plan.together = givesAll();
-        plan.integrator = integratorOf(plan.together);
-        plan.least = std::max(stiff, wantedOf(plan.integrator));
+        plan.integrator = integratorOf(plan.together, stiff);
+        plan.least = leastOf(plan.integrator, stiff);
         plan.substeps =
             std::max(int(std::ceil(std::min(substeps, double(mostSubsteps)))), plan.least);
         if (!m_given.empty())
@@ -304,15 +304,28 @@ private:
         return !m_given.empty() || !m_system.membranes.empty();
     }
 
-    Integrator integratorOf(bool together) const
+    // BDF2 where what bends is slow enough for it in half as many substeps as Euler's method takes:
+    // it may look at its loads twice in each.
+    Integrator integratorOf(bool together, int stiff) const
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        const bool isCalm = panelsAreDamped(m_system) && undampedRodsAreBranches(m_system)
-                            && rigidRodsHoldStill(m_system);
-        return together && isCalm && stiffStepLimit(m_system) >= slowBends * m_system.timeStep
-                   ? Integrator::Bdf2
-                   : Integrator::SemiImplicitEuler;
+        const int ofEuler = leastOf(Integrator::SemiImplicitEuler, stiff);
+        const bool isCalm =
+            panelsAreDamped(m_system) && undampedRodsAreBranches(m_system)
+            && rigidRodsHoldStill(m_system)
+            && std::max(1, ofEuler / 2) * stiffStepLimit(m_system) >= slowBends * m_system.timeStep;
+        return together && isCalm ? Integrator::Bdf2 : Integrator::SemiImplicitEuler;
+    }
+
+    // Substeps that the author asks for, and what forces need.
+    int leastOf(Integrator integrator, int stiff) const
+    {
+        const int wanted = std::max(stiff, wantedOf(integrator));
+        if (integrator != Integrator::Bdf2 || m_system.integrator != Integrator::Auto)
+            return wanted;
+        return std::max(wanted,
+                        substepsWithin(m_system.timeStep, stiffStepLimit(m_system), slowBends));
     }
 
     // Substeps that the author wants at least.

@@ -91,7 +91,8 @@ double upperPull(const Frame& frame, int cells)
 
 double SlitSheet::expected()
 {
-    return std::sqrt(2.0 * tearStrength * stiffness / (std::numbers::pi * halfSlit));
+    const double wide = 2.0 * tearStrength * stiffness / (std::numbers::pi * halfSlit);
+    return std::sqrt(wide * std::cos(std::numbers::pi * halfSlit / side));
 }
 
 SlitTorn drawnApart(const SlitSheet& slit)

@@ -1,8 +1,8 @@
 // A sheet with a slit that is drawn slowly until it tears by energy, as fracture mechanics has it.
 //
 // A wide sheet with a slit of 2 a tears at sqrt(G E t / (pi a)) (Griffith 1921), where G = 2 F is
-// what the tear takes up (tearEnergyOf()). This one is three times as wide as its slit, held by its
-// edges.
+// what the tear takes up (tearEnergyOf()), and one of the width W at sqrt(cos(pi a / W)) of that
+// (Feddersen 1966). This one is three times as wide as its slit, held by its edges.
 #pragma once
 
 #include "simulation/simulation.h"
@@ -18,7 +18,7 @@ struct SlitSheet
     static constexpr double poisson = 0.2;      // 1
     static constexpr double tearStrength = 1.0; // N, F
 
-    int cells = 18; // along a side, a multiple of 6
+    int cells = 42; // along a side, a multiple of 6
     TearMesh tearMesh = TearMesh::Vanish;
     bool isBlunt = false; // a row of cells is cut out; else two lips that touch
     bool pushes = true;
