@@ -26,10 +26,9 @@ constexpr double leftByIterations =
 constexpr double longSwing = 2.0;     // steps within a radian of it, squared
 constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
-// Much of it lets pulls settle soon and folds a little later. In wind, folds pull as much as the
-// rest does: with all of it each iteration takes 2 % of what the one before has left. Less of it in
-// each of many iterations ends that. Contacts cannot wait for folds, and do not settle while it
-// changes.
+// Much of it lets pulls settle soon and folds a little later. In wind, what folds pull counts, and
+// with so much of it an iteration may bring only 2 % less of the error: where there are many, each
+// keeps less of it than the one before. Contacts cannot wait for folds, nor settle while it changes.
 constexpr KeptByFolds keptInTheAir{.most = 1e-2, .least = 1e-5};
 constexpr KeptByFolds keptOnObstacles{.most = 1e-3, .least = 1e-3};
 constexpr int manyIterations = 5;
