@@ -2,12 +2,13 @@
 //
 // Fabric cuts the panels that bend into triangles by their rest lengths, sorts the sides so that
 // the two panels of a side come together, makes a bend of each such pair, and couples the bends of
-// each panel; bentPanels() says the same from the side of the panels. Spars sorts the ends of links
-// by particle and material and joins those that go on into each other, the straightest pair first.
-// The sorting makes the order of the bends depend on the network alone. bendSums() goes over the
-// stiffness matrix of all bends one row at a time, since bends that overlap share entries, whose
-// sum may be smaller than the sum of their magnitudes.
+// each panel; bentPanels() says the same from the side of the panels. The sorting makes the order
+// of the bends depend on the network alone. bendSums() goes over the stiffness matrix of all bends
+// one row at a time, since bends that overlap share entries, whose sum may be smaller than the sum
+// of their magnitudes.
 #include "laws/bend.h"
+
+#include "laws/joined_spars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -285,128 +286,6 @@ private:
     std::vector<Side> m_sides;
 };
 
-class Spars
-{
-public:
-    Spars(const BendingNet& net, std::vector<Bend>& bends)
-        : m_net(net)
-        , m_bends(bends)
-    {}
-
-    void addBends()
-    {
-        struct End
-        {
-            int particle;
-            std::uint32_t material;
-            int link;
-        };
-        std::vector<End> all;
-        for (std::size_t i = 0; i < m_net.links.size(); ++i) {
-            const BendingNet::Link& link = m_net.links[i];
-            if (link.bending.spar > 0.0 && link.restLength > 0.0)
-                for (const int particle : {link.a, link.b})
-                    all.push_back({particle, link.material, int(i)});
-        }
-        std::sort(all.begin(), all.end(), [](const End& one, const End& other) {
-            return std::tie(one.particle, one.material, one.link)
-                   < std::tie(other.particle, other.material, other.link);
-        });
-        for (auto first = all.begin(); first != all.end();) {
-            const auto last = std::find_if(first, all.end(), [&](const End& end) {
-                return end.particle != first->particle || end.material != first->material;
-            });
-            std::vector<int> links;
-            std::transform(first, last, std::back_inserter(links),
-                           [](const End& end) { return end.link; });
-            join(first->particle, links);
-            first = last;
-        }
-    }
-
-private:
-    int otherEnd(int link, int particle) const
-    {
-        const BendingNet::Link& row = m_net.links[std::size_t(link)];
-        return row.a == particle ? row.b : row.a;
-    }
-
-    Vec3 away(int link, int particle) const // unit, along the link, or zero
-    {
-        const Vec3 d = m_net.position[std::size_t(otherEnd(link, particle))]
-                       - m_net.position[std::size_t(particle)];
-        const double length = d.norm();
-        return length > 0.0 ? Vec3(d / length) : Vec3(Vec3::Zero());
-    }
-
-    // Pairs the links that meet in a particle, the straightest first.
-    void join(int particle, const std::vector<int>& links)
-    {
-        struct Pair
-        {
-            double straightness; // 1 is straight, 1/2 turns by 60 degrees
-            int one;
-            int other;
-        };
-        std::vector<Pair> pairs;
-        for (std::size_t i = 0; i < links.size(); ++i)
-            for (std::size_t j = i + 1; j < links.size(); ++j) {
-                const double along = -away(links[i], particle).dot(away(links[j], particle));
-                if (along >= 0.5 - 1e-9
-                    && otherEnd(links[i], particle) != otherEnd(links[j], particle))
-                    pairs.push_back({along, links[i], links[j]});
-            }
-        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& one, const Pair& other) {
-            return one.straightness > other.straightness;
-        });
-        std::vector<int> taken;
-        const auto isFree = [&](int link) {
-            return std::find(taken.begin(), taken.end(), link) == taken.end();
-        };
-        for (const Pair& pair : pairs)
-            if (isFree(pair.one) && isFree(pair.other)) {
-                taken.insert(taken.end(), {pair.one, pair.other});
-                addBend(particle, pair.one, pair.other);
-            }
-    }
-
-    void addBend(int particle, int one, int other)
-    {
-        double turning = 0.0; // m, of spar
-        for (const int link : {one, other}) {
-            const BendingNet::Link& row = m_net.links[std::size_t(link)];
-            const bool clamped =
-                m_net.pinned[std::size_t(row.a)] && m_net.pinned[std::size_t(row.b)];
-            turning += clamped ? 0.0 : 0.5 * row.restLength;
-        }
-        if (turning == 0.0)
-            return;
-        const BendingNet::Link& first = m_net.links[std::size_t(one)];
-        const double u = turning / first.restLength;
-        const double v = turning / m_net.links[std::size_t(other)].restLength;
-        const int a = otherEnd(one, particle);
-        const int b = otherEnd(other, particle);
-        Bend bend{};
-        bend.corner = {particle, a, b, particle};
-        bend.weight = {-(u + v), u, v, 0.0};
-        bend.stiffness = first.bending.spar / (turning * turning * turning);
-        bend.breaking =
-            std::min(first.bending.breaking, m_net.links[std::size_t(other)].bending.breaking);
-        bend.length = {first.restLength, m_net.links[std::size_t(other)].restLength};
-        const Vec3 turn = away(one, particle) + away(other, particle);
-        bend.restTurn = turn.norm() > 1e-9 ? turning * turn.norm() : 0.0; // rounding is no bend
-        bend.beside.fill(-1);
-        bend.of = {one, other};
-        bend.ofSpar = true;
-        bend.withRods =
-            m_net.solvesTogether && first.isRod && m_net.links[std::size_t(other)].isRod;
-        m_bends.push_back(bend);
-    }
-
-    const BendingNet& m_net;
-    std::vector<Bend>& m_bends;
-};
-
 } // namespace
 
 BendsAndPanels bendsAndPanelsOf(const BendingNet& net)
@@ -415,7 +294,7 @@ BendsAndPanels bendsAndPanelsOf(const BendingNet& net)
     Fabric fabric(net, found.bends);
     fabric.addBends();
     found.panels = fabric.bentPanels();
-    Spars(net, found.bends).addBends();
+    addSparBends(net, found.bends);
     std::stable_partition(found.bends.begin(), found.bends.end(),
                           [](const Bend& bend) { return !bend.withRods; });
     return found;

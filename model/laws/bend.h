@@ -27,9 +27,9 @@
 //
 // Spars bend at the particle that two links share, by the turn y = L (u + u') with unit vectors u
 // and u' along the links. Of links of l and l' the length L = (l + l') / 2 turns; the moment is
-// EI / L^3 times y. For small turns y = sum of w x with w = L / l for the outer ends. A link or
-// panel that is pinned throughout is a clamp and does not bend itself, so that what it holds starts
-// at its edge.
+// EI / L^3 times y, with what links of two EI have in series (joined_spars.h). For small turns y =
+// sum of w x with w = L / l for the outer ends. A link or panel that is pinned throughout is a
+// clamp and does not bend itself, so that what it holds starts at its edge.
 //
 // What is short pulls hard for a turn. No step could bear what has no length: where the height of a
 // panel over a side, to the length of the side, is less than `leastShare` of that at rest, or a
@@ -133,7 +133,7 @@ struct BendingNet
         int a; // particle indices
         int b;
         double restLength;      // m
-        std::uint32_t material; // a spar goes on where links of one material meet
+        std::uint32_t material; // links of one material are joined first
         Bending bending;
         bool isRod = false;
     };
@@ -148,7 +148,8 @@ struct BendingNet
 // Bends in ascending order of their first particles: first those of fabric, then those of spars,
 // and last those that are solved together with rods. Sides that a single
 // panel or more than two have do not bend. Links go on into each other where they turn by at most
-// 60 degrees, the straightest pair first; spars keep the turn that they are built with.
+// 60 degrees, those of one material first and the straightest pair first; spars keep the turn that
+// they are built with.
 std::vector<Bend> bendsOf(const BendingNet& net);
 
 // The same, with the panels of the bends of fabric, in the order of the net.
