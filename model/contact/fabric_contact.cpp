@@ -24,6 +24,8 @@ namespace {
 constexpr double mostCells = 16.0;   // cells across; wider panels are compared with all particles
 constexpr double tornOut = 4.0;      // times the size at the start: the motion has blown up
 constexpr double gravityReach = 1.5; // of the way at the speed of now: speeds change in a step
+constexpr double keptBeside = 0.9; // of how far neighbours start apart, which a push brings closer
+constexpr double leastUpright = 0.7; // cosine of the angle to the normal, of what lies on a panel
 
 Corners cornersOf(const FabricPanel& panel, const std::vector<PaddedVec3>& x)
 {
@@ -43,6 +45,12 @@ Vec3 normalOf(const Corners& x)
     const Vec3 area = (x[1] - x[0]).cross(x[2] - x[0]);
     const double twice = area.norm();
     return twice > 0.0 ? Vec3(area / twice) : Vec3(Vec3::Zero());
+}
+
+// How much of the way that they start apart by a particle keeps from a panel, 1.
+double keptShare(const Vec3& apart, const Vec3& normal)
+{
+    return std::abs(apart.dot(normal)) > leastUpright * apart.norm() ? 1.0 : keptBeside;
 }
 
 // How far controls may carry particles in a step, m, which their velocities do not tell.
@@ -230,9 +238,9 @@ void FabricContact::consider(const System& system, const State& state, int parti
 
     const Corners start = cornersOf(fabric, system.start.position);
     const Vec3& startPlace = system.start.position[p];
-    const double startApart =
-        (startPlace - atShares(start, nearestShares(start, startPlace))).norm();
-    const double kept = std::min(thickness, 0.9 * startApart);
+    const Vec3 startApart = startPlace - atShares(start, nearestShares(start, startPlace));
+    const double kept =
+        std::min(thickness, keptShare(startApart, normalOf(start)) * startApart.norm());
     if (!(kept > 1e-6 * thickness))
         return;
     const double side = apart.dot(normalOf(x)) < 0.0 ? -1.0 : 1.0;

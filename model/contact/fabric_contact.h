@@ -5,9 +5,11 @@
 // sorted into; each substep then goes through the pairs, in the order of the panels, and
 //     moves   both along the normal until they are a thickness apart, by their inverse masses
 //     stops   what of their relative velocity closes the gap; Coulomb friction takes from the rest
-// as the first pass of Bridson, Fedkiw and Anderson 2002 does. What starts closer than the
-// thickness, such as the neighbours of a particle in a fine mesh, keeps nine tenths of the distance
-// that it starts with. Where two panels cross with no particle near, nothing is found.
+// as the first pass of Bridson, Fedkiw and Anderson 2002 does. What starts closer keeps the
+// distance that it starts with where it lies on a panel, and nine tenths of it where it lies
+// beside, as the neighbours of a particle in a fine mesh do. Fabric that lies on fabric keeps all
+// of it, as the panels that it comes to later hold it a thickness away: with less it would slide up
+// steps. Where two panels cross with no particle near, nothing is found.
 //
 // The Stepper has one, for systems with a fabricLayer, and calls it from the thread that steps.
 #pragma once

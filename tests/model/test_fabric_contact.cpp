@@ -1,8 +1,8 @@
 // Fabric and lines against fabric: what is folded stays apart.
 //
 // Stages: a folded sheet with contact, and without it as a control; momentum of one particle and
-// one panel; lines, large panels and panels that are gone; and the same bits at any number of
-// threads.
+// one panel; lines, large panels and panels that are gone; a sheet that slides down another; and
+// the same bits at any number of threads.
 #include "assembly/finish.h"
 #include "contact/fabric_contact.h"
 #include "model/systems.h"
@@ -105,6 +105,33 @@ Vec3 folded(double along)
         return {1.0 - along, 0.3 + 2.0 * radius, 0.0};
     const double angle = (along - leg) / radius;
     return {leg + radius * std::sin(angle), 0.3 + radius * (1.0 - std::cos(angle)), 0.0};
+}
+
+// Squares of `cell` m in two panels each, flat from a corner on; particles of 1 g with rods along
+// the sides and one diagonal, or pinned.
+void addFlat(System& system, const Vec3& from, int columns, int rows, double cell, bool pinned)
+{
+    const int first = int(system.start.position.size());
+    const auto at = [&](int row, int column) { return first + row * (columns + 1) + column; };
+    const auto rod = [&](int a, int b) {
+        if (!pinned)
+            addRod(system, a, b, distance(system, a, b));
+    };
+    for (int row = 0; row <= rows; ++row)
+        for (int column = 0; column <= columns; ++column) {
+            const Vec3 place = from + cell * Vec3(column, 0.0, row);
+            pinned ? addPin(system, place) : addParticle(system, place, 0.001);
+            if (column > 0)
+                rod(at(row, column - 1), at(row, column));
+            if (row > 0)
+                rod(at(row - 1, column), at(row, column));
+            if (row == 0 || column == 0)
+                continue;
+            const int a = at(row - 1, column - 1), b = at(row, column);
+            rod(a, b);
+            addPanel(system, a, at(row, column - 1), b, AirLaw::None, 0.0);
+            addPanel(system, a, b, at(row - 1, column), AirLaw::None, 0.0);
+        }
 }
 
 } // namespace
@@ -240,6 +267,58 @@ private slots:
         QVERIFY(run(system, 40).position[std::size_t(stone)].y() > 0.5 * thickness);
         system.start.panelGone[0] = 1;
         QCOMPARE_LT(run(system, 40).position[std::size_t(stone)].y(), -0.2);
+    }
+
+    // A sheet on a slope of 0.4 gains g (sin - mu cos) t, as it does on a plane, whatever the
+    // meshes and whether it was laid there or fell; with mu above 0.4 it stays. What it lies on at
+    // the start keeps it as far away as what it slides on to: else it would have to climb.
+    void slidesDownFabric_data()
+    {
+        QTest::addColumn<int>("cells");    // of the upper sheet, along one side
+        QTest::addColumn<double>("below"); // m, those of the lower one
+        QTest::addColumn<double>("gap");   // 1, of the thickness, at the start
+        QTest::addColumn<double>("friction");
+        for (const double friction : {0.1, 0.3, 0.45})
+            for (const double gap : {1.0, 1.05, 1.3}) {
+                QTest::addRow("one cell on many, %g, %g", friction, gap)
+                    << 1 << 0.1 << gap << friction;
+                QTest::addRow("fine on coarse, %g, %g", friction, gap)
+                    << 5 << 0.6 << gap << friction;
+                QTest::addRow("fine on fine, %g, %g", friction, gap) << 5 << 0.1 << gap << friction;
+            }
+    }
+
+    void slidesDownFabric()
+    {
+        QFETCH(int, cells);
+        QFETCH(double, below);
+        QFETCH(double, gap);
+        QFETCH(double, friction);
+        const double slope = std::atan(0.4);
+        System system = emptySystem(1.0 / 240.0);
+        system.gravity = standardGravity * Vec3(std::sin(slope), -std::cos(slope), 0.0);
+        addFlat(system, Vec3::Zero(), int(std::lround(1.8 / below)), int(std::lround(0.6 / below)),
+                below, true);
+        const int first = int(system.start.position.size());
+        addFlat(system, {0.09, gap * thickness, 0.11}, cells, cells, 0.3 / cells, false);
+        system.fabricLayer.assign(system.start.position.size(), {thickness, friction});
+        finish(system);
+        Stepper stepper;
+        State state = system.start;
+        const auto fly = [&](int steps) { // answers the speed, m/s
+            for (int i = 0; i < steps; ++i)
+                stepper.step(system, state);
+            double sum = 0.0;
+            for (std::size_t i = std::size_t(first); i < state.velocity.size(); ++i)
+                sum += state.velocity[i].x() / double(state.velocity.size() - std::size_t(first));
+            return sum;
+        };
+        const double before = fly(48), gained = fly(72) - before; // in 0.3 s
+        const double expected =
+            0.3 * standardGravity * std::max(0.0, std::sin(slope) - friction * std::cos(slope));
+        const double slack = 0.01 * 0.3 * standardGravity * std::sin(slope);
+        QVERIFY2(isNear(gained, expected, slack), told(gained, expected));
+        QVERIFY2(friction < 0.4 || std::abs(before) < 0.01, told(before, 0.0));
     }
 
     // Which particles meet which panels does not depend on threads.
