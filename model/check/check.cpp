@@ -396,15 +396,16 @@ private:
         const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
         if (!limit)
             return;
+        const int taken = std::max(mostSubsteps, settings.substeps);
         if (limit->cause.bending && settings.solver == Solver::Auto
-            && settings.timeStep > mostSubsteps * limit->timeStep)
+            && settings.timeStep > taken * limit->timeStep)
             return add("step", Severity::Warning,
                        Message("The bending at particle %1 needs substeps of %2 s, and the "
                                "automatic solver takes no more than %3 of them in a time step: it "
                                "will run away. Lower the flexural rigidity, join small cells, or "
                                "shorten the time step.",
                                std::uint32_t(limit->particle),
-                               Message::number("%.3g", limit->timeStep), mostSubsteps),
+                               Message::number("%.3g", limit->timeStep), taken),
                        limit->particle);
         if (!exceeds(settings, *limit))
             return;

@@ -408,6 +408,14 @@ private slots:
         const auto tooMany = problemsOf(stiffened(1.01));
         QCOMPARE(tooMany.size(), std::size_t(1));
         QVERIFY(tooMany[0].message.english().find("takes no more than 2000") != std::string::npos);
+        // the author may ask for more than it takes by itself
+        Scene asked = stiffened(1.5);
+        asked.settings.substeps = 3 * mostSubsteps / 2 + 10;
+        QVERIFY(problemsOf(asked).empty());
+        asked.settings.substeps -= 20;
+        const auto tooFew = problemsOf(asked);
+        QCOMPARE(tooFew.size(), std::size_t(1));
+        QVERIFY(tooFew[0].message.english().find("takes no more than 2990") != std::string::npos);
         const SolverPlan plan = planFor(**compile(stiffened(1.01)));
         QVERIFY(plan.reason.english().find("no more are taken") != std::string::npos);
     }
