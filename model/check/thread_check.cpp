@@ -37,15 +37,17 @@ void checkLattice(const Part& part, Id id, const Material& material, const Latti
     const auto number = [](double value) { return Message::number("%.3g N/m", value); };
     add("lattice", Severity::Warning,
         material.shearStiffness
-            ? Message("Threads of %1 pull with up to %2 and resist shear with up to %3, where %4 "
-                      "has %5 and %6: they are true along warp and weft of a grid of quads, and "
-                      "this mesh is another. Have panels carry the pull.",
+            ? Message("Threads of %1 pull with %2 at most, with less along lines that zigzag, and "
+                      "resist shear with up to %3, where %4 has %5 and %6: they are true along "
+                      "warp and weft of a grid of quads, and this mesh is another. Have panels "
+                      "carry the pull.",
                       part.name, number(given.along), number(given.shear), material.name,
                       number(wanted), number(*material.shearStiffness))
-            : Message("Threads of %1 pull with up to %2, where %3 has %4: they are true along warp "
-                      "and weft of a grid of quads, and this mesh is another. Have panels carry "
-                      "the pull.",
-                      part.name, number(given.along), material.name, number(wanted)),
+            : Message(
+                "Threads of %1 pull with %2 at most, with less along lines that zigzag, where "
+                "%3 has %4: they are true along warp and weft of a grid of quads, and this "
+                "mesh is another. Have panels carry the pull.",
+                part.name, number(given.along), material.name, number(wanted)),
         id);
 }
 
