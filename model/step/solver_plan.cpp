@@ -275,7 +275,7 @@ public:
                         "strain of %2 %",
                         plan.substeps, Message::number("%.3g", 100.0 * m_system.strainGoal));
         if (stiff > 1)
-            plan.reason = needs(std::move(plan.reason), stiff);
+            plan.reason = needs(std::move(plan.reason), plan.substeps);
         if (!m_system.membranes.empty())
             return plan;
         for (auto given = m_given.rbegin(); given != m_given.rend(); ++given)
@@ -284,16 +284,16 @@ public:
     }
 
 private:
-    //   stiff  substeps that forces need, as far as they are taken
-    Message needs(Message reason, int stiff) const
+    //   taken  substeps, of which the author may want more than the solver takes by itself
+    Message needs(Message reason, int taken) const
     {
         const double wanted =
             std::ceil(spareForStiffness * m_system.timeStep / stiffStepLimit(m_system));
-        if (wanted > mostSubsteps)
+        if (wanted > taken)
             return Message("%1; %2 would need %3, and no more are taken", std::move(reason),
                            boundingForces(m_system), Message::number("%.3g", wanted));
         return Message("%1; %2 needs at least %3", std::move(reason), boundingForces(m_system),
-                       stiff);
+                       int(wanted));
     }
 
     bool givesAll() const

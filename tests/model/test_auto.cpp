@@ -412,6 +412,8 @@ private slots:
         Scene asked = stiffened(1.5);
         asked.settings.substeps = 3 * mostSubsteps / 2 + 10;
         QVERIFY(problemsOf(asked).empty());
+        const SolverPlan enough = planFor(**compile(asked));
+        QVERIFY(enough.reason.english().find("needs at least") != std::string::npos);
         asked.settings.substeps -= 20;
         const auto tooFew = problemsOf(asked);
         QCOMPARE(tooFew.size(), std::size_t(1));
