@@ -307,6 +307,11 @@ void addControls(Scene& scene, const std::string& name, const std::vector<Id>& t
 
 Result<Scene> buildCloth(const Parameters& p)
 {
+    if (p.at("flat") == 0.0 && p.at("level") < p.at("height"))
+        return Failure("The sheet hangs %1 m down from a level of %2 m, into the ground: give it a "
+                       "level of at least its height, or start it flat.",
+                       Message::number("%.4g", p.at("height")),
+                       Message::number("%.4g", p.at("level")));
     Scene scene;
     scene.settings.title = "Cloth";
     const int hang = int(p.at("hang"));

@@ -3,6 +3,9 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ripstop {
 namespace {
 
@@ -32,7 +35,9 @@ Result<Scene> buildStiffenedRod(const Parameters& p)
 
     Network network(scene, "rod");
     const double length = p.at("length");
-    const double level = 1.5 * length;
+    // Half a length stays free over the ground, whichever way it swings.
+    const double reach = std::max(length, std::hypot(0.5 * length, p.at("height")));
+    const double level = 0.5 * length + reach;
     const double each = p.at("mass") / 6.0;
     std::vector<Id> row;
     for (int i = 0; i < 4; ++i)

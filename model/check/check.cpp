@@ -3,8 +3,8 @@
 //    particles without mass or guide axis, and items whose numbers or files cannot work.
 // 2. Warnings of the mesh: links that join the same two particles, and particles without links
 //    (network_check.h).
-// 3. Warnings of the run: a substep above the limit of springs and bending, and colliders that fit
-//    between the particles of the fabric.
+// 3. Warnings of the run: a substep above the limit of springs and bending, colliders that fit
+//    between the particles of the fabric, and particles that begin inside one.
 // Elements that pass isSound() skip the walk over the property table, so that large tables stay
 // cheap. The result is sorted by severity and keeps the order of finding within each.
 #include "check/check.h"
@@ -13,6 +13,7 @@
 #include "check/elastic_check.h"
 #include "check/flutter_check.h"
 #include "check/network_check.h"
+#include "check/start_check.h"
 #include "check/step_limits.h"
 #include "check/tear_check.h"
 #include "check/thread_check.h"
@@ -99,6 +100,7 @@ public:
         names();
         stability();
         gaps();
+        checkStart(m_scene, adding());
         checkTearing(m_scene, adding());
         checkThreads(m_scene, adding());
         checkWeights(m_scene, m_index, adding());

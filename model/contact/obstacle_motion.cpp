@@ -1,23 +1,12 @@
 #include "contact/obstacle_motion.h"
 
+#include "shapes/place_on_path.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace ripstop {
 namespace {
-
-Vec3 placeOnPath(const std::vector<PathKey>& path, double time)
-{
-    const auto next = std::upper_bound(path.begin(), path.end(), time,
-                                       [](double t, const PathKey& key) { return t < key.time; });
-    if (next == path.begin())
-        return path.front().place;
-    const PathKey& last = *(next - 1);
-    if (next == path.end())
-        return last.place;
-    const double share = (time - last.time) / (next->time - last.time);
-    return last.place + share * (next->place - last.place);
-}
 
 // Fills in the bounds. What touches is within the margin, and a mesh always has some (see
 // touchMesh); a thousandth of the size more covers both and all rounding. A shape without end may

@@ -1,6 +1,7 @@
 #include "step/watchdog.h"
 
 #include "assembly/split_system.h"
+#include "contact/start_depth.h"
 #include "forces/spring_force.h"
 #include "laws/step_limit.h"
 
@@ -31,6 +32,19 @@ double largestMassRatio(const System& system, std::size_t particle)
     return ratio;
 }
 
+// What contact put outside of an obstacle in the first step stretched what it was tied to.
+Message toldOf(const StartDepth& start)
+{
+    const Message depth = Message::number("%.3g", start.deepest);
+    return start.particles == 1
+               ? Message("likely because a particle began inside an obstacle, by %1 m; move it or "
+                         "the obstacle",
+                         depth)
+               : Message("likely because %1 particles began inside obstacles, by up to %2 m; move "
+                         "them or the obstacles",
+                         start.particles, depth);
+}
+
 // The most likely cause first: what the element itself says about the step.
 Message causeAt(const System& system, const State& before, int substeps, std::size_t particle)
 {
@@ -47,6 +61,8 @@ Message causeAt(const System& system, const State& before, int substeps, std::si
         return Message("a rod joins it to a particle of %1 times another mass; add substeps or "
                        "bring the masses closer",
                        Message::number("%.0f", ratio));
+    if (const StartDepth start = startDepth(system); start.particles > 0)
+        return toldOf(start);
     return Message("something pushes it harder than the time step resolves; shorten the time step "
                    "or look at the forces there");
 }

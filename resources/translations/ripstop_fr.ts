@@ -639,6 +639,11 @@
         <translation>Il n’y a rien à coller : le presse-papiers ne contient pas de modèle. Copier d’abord une sélection.</translation>
     </message>
     <message>
+        <location filename="cloth.cpp"/>
+        <source>The sheet hangs %1 m down from a level of %2 m, into the ground: give it a level of at least its height, or start it flat.</source>
+        <translation>La toile pend sur %1 m depuis un niveau de %2 m, jusque dans le sol : lui donner un niveau au moins égal à sa hauteur, ou la faire commencer à plat.</translation>
+    </message>
+    <message>
         <location filename="collider_path.cpp"/>
         <source>must be times and places as 0: 0 1 0; 2.5: 3 1 0 (%1 is not)</source>
         <translation>doit être des temps et des lieux comme 0: 0 1 0; 2.5: 3 1 0 (%1 n’en est pas)</translation>
@@ -9784,6 +9789,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Stabilité</translation>
     </message>
     <message>
+        <location filename="start_check.cpp"/>
+        <source>%1 The thickness of %2, %3 m, counts.</source>
+        <translation>%1 L’épaisseur de %2, %3 m, compte.</translation>
+    </message>
+    <message>
+        <location filename="start_check.cpp"/>
+        <source>%1 particles of %2 begin inside %3, by up to %4 m: contact puts them outside in the first step, which stretches what they are tied to and makes energy out of nothing. Move %2 or %3.</source>
+        <translation>%1 particules de %2 commencent dans %3, jusqu’à %4 m : le contact les met dehors au premier pas, ce qui étire ce à quoi elles tiennent et crée de l’énergie à partir de rien. Déplacer %2 ou %3.</translation>
+    </message>
+    <message>
+        <location filename="start_check.cpp"/>
+        <source>1 particle of %1 begins inside %2, by %3 m: contact puts it outside in the first step, which stretches what it is tied to and makes energy out of nothing. Move %1 or %2.</source>
+        <translation>1 particule de %1 commence dans %2, de %3 m : le contact la met dehors au premier pas, ce qui étire ce à quoi elle tient et crée de l’énergie à partir de rien. Déplacer %1 ou %2.</translation>
+    </message>
+    <message>
         <location filename="start_page.cpp"/>
         <source>%1 is gone.</source>
         <translation>%1 n’existe plus.</translation>
@@ -18492,6 +18512,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="watchdog.cpp"/>
         <source>explicit Euler gains energy from springs at any time step; choose another integrator or add damping</source>
         <translation>Euler explicite gagne de l’énergie des ressorts à tout pas de temps ; choisir un autre intégrateur ou ajouter de l’amortissement</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>likely because %1 particles began inside obstacles, by up to %2 m; move them or the obstacles</source>
+        <translation>sans doute parce que %1 particules ont commencé dans des obstacles, jusqu’à %2 m ; les déplacer, ou les obstacles</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>likely because a particle began inside an obstacle, by %1 m; move it or the obstacle</source>
+        <translation>sans doute parce qu’une particule a commencé dans un obstacle, de %1 m ; la déplacer, ou l’obstacle</translation>
     </message>
     <message>
         <location filename="watchdog.cpp"/>

@@ -247,6 +247,7 @@ private slots:
             Collider ball;
             ball.shape = ColliderShape::Sphere;
             ball.normal = Vec3::Zero();
+            ball.position.x() = 5.0;
             addItem(s, ball);
         });
         row("flag in a wind from aside", [](Scene& s) {

@@ -145,7 +145,6 @@ private slots:
             s.items.push_back({Id{4}, hand});
         });
         row("on the ground", [](Scene& s) { add(s, Collider{.position = {0.0, -1.0, 0.0}}); });
-        row("below the ground", [](Scene& s) { add(s, Collider{.position = {0.0, 2.0, 0.0}}); });
         row("on a box", [](Scene& s) {
             add(s, Collider{.shape = ColliderShape::Box,
                             .position = {0.0, -2.0, 0.0},
@@ -175,6 +174,16 @@ private slots:
         change(scene);
         const std::vector<Finding> problems = problemsOf(scene);
         QVERIFY2(problems.empty(), problems.empty() ? "" : problems[0].message.english().c_str());
+    }
+
+    // That it begins there is told (test_start_check.cpp), and nothing of its weight.
+    void belowTheGround()
+    {
+        Scene scene = hanging();
+        add(scene, Collider{.position = {0.0, 2.0, 0.0}});
+        const std::vector<Finding> problems = problemsOf(scene);
+        QCOMPARE(problems.size(), std::size_t(1));
+        QCOMPARE(problems[0].sort, "inside");
     }
 };
 
