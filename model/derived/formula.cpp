@@ -11,12 +11,14 @@
 
 #include "base/angle.h"
 #include "base/quantity.h"
+#include "base/split_mix.h"
 #include "scene/expression.h"
 
 #include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 
@@ -172,24 +174,17 @@ public:
 
     // The dimension of the result; nothing when unlike things are added. A result that depends on
     // an angle by no power, as a sine does, measures no angle. Plain numbers make plain numbers,
-    // also those that vanish or are infinite for the values that units are tried with.
+    // and so does what has no finite value other than 0 wherever it is tried.
     std::optional<Dimension> dimension()
     {
         if (std::ranges::all_of(m_used, [this](std::size_t i) { return isPlain(m_units[i]); }))
             return Dimension{};
-        constexpr double finer = std::numbers::e;
-        const double whole = probed({1.0, 1.0, 1.0, 1.0});
-        Dimension found{};
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            std::array<double, 4> scale{1.0, 1.0, 1.0, 1.0};
-            scale[k] = finer;
-            const double power = std::log(probed(scale) / whole);
-            const bool isPower = std::abs(power - std::rint(power)) < 1e-9;
-            if (!isPower && k != powerOfAngle)
-                return std::nullopt;
-            found[k] = isPower ? int(std::lround(power)) : 0;
-        }
-        return found;
+        constexpr std::uint64_t tries =
+            200; // roots and logarithms are numbers for some values only
+        for (std::uint64_t which = 0; which < tries; ++which)
+            if (const std::optional<Growth> growth = grown(which))
+                return dimensionOf(*growth);
+        return Dimension{};
     }
 
     double value(std::span<const double> values)
@@ -212,17 +207,62 @@ public:
 private:
     static bool isPlain(const Measured& unit) { return unit.dimension == Dimension{}; }
 
-    // Evaluates with another number for each name, so that no difference vanishes.
-    double probed(const std::array<double, 4>& scale)
+    using Growth = std::array<double, 4>; // of the result with each basic unit
+
+    // How the result grows where each basic unit is made smaller; nothing where it is no number.
+    std::optional<Growth> grown(std::uint64_t which)
     {
-        double number = 0.5;
-        for (const std::size_t i : m_used) {
-            m_values[i] = number += 0.0625;
+        const double whole = probed(which, {1.0, 1.0, 1.0, 1.0});
+        Growth growth{};
+        for (std::size_t k = 0; k < growth.size(); ++k) {
+            std::array<double, 4> scale{1.0, 1.0, 1.0, 1.0};
+            scale[k] = finer;
+            growth[k] = probed(which, scale) / whole;
+            if (!std::isfinite(growth[k]) && k != powerOfAngle)
+                return std::nullopt;
+        }
+        return growth;
+    }
+
+    static std::optional<Dimension> dimensionOf(const Growth& growth)
+    {
+        Dimension found{};
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const double power = std::log(growth[k]);
+            const bool isPower = std::abs(power - std::rint(power)) < 1e-9;
+            if (!isPower && k != powerOfAngle)
+                return std::nullopt;
+            found[k] = isPower ? int(std::lround(power)) : 0;
+        }
+        return found;
+    }
+
+    // Evaluates with another number for each name, so that no difference vanishes.
+    double probed(std::uint64_t which, const std::array<double, 4>& scale)
+    {
+        for (std::size_t n = 0; n < m_used.size(); ++n) {
+            const std::size_t i = m_used[n];
+            m_values[i] = tried(which, n);
             for (std::size_t k = 0; k < scale.size(); ++k)
                 m_values[i] *= std::pow(scale[k], m_units[i].dimension[k]);
         }
         return m_parser.Eval();
     }
+
+    // The value of the n-th name: first about 1, then the other way round, then anywhere from 0.1
+    // to 10 and, every other time, below 0.
+    static double tried(std::uint64_t which, std::size_t n)
+    {
+        if (which < 2) {
+            const double step = 0.0625 * double(n + 1);
+            return 0.5 + (which == 0 ? step : 1.0 / (1.0 + step));
+        }
+        const std::uint64_t bits = splitMix(which << 16 | n);
+        const double size = std::pow(10.0, 2.0 * double(bits >> 11) * 0x1p-53 - 1.0);
+        return which % 2 == 1 && (bits & 1) == 1 ? -size : size;
+    }
+
+    static constexpr double finer = std::numbers::e; // how much smaller a unit is made
 
     std::vector<double> m_values; // [names]
     std::vector<Measured> m_units;

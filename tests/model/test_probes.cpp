@@ -317,6 +317,18 @@ private slots:
         QTest::newRow("odd unit") << "height * height * speed" << 450.0 << "m^3 s^-1";
         QTest::newRow("larger") << "max(height, 3 * height)" << 45.0 << "m";
         QTest::newRow("a number") << "2 * 21" << 42.0 << "";
+        // numbers for some values only
+        QTest::newRow("leg of a triangle")
+            << "sqrt(line_tension^2 - weight^2)" << std::sqrt(1500.0) << "N";
+        QTest::newRow("angle of a ratio") << "acos(weight / line_tension)" << std::acos(0.25) << "";
+        QTest::newRow("root of a difference")
+            << "sqrt(1 - (weight / line_tension)^2)" << std::sqrt(0.9375) << "";
+        QTest::newRow("logarithm of a difference")
+            << "ln(1 - weight / line_tension)" << std::log(0.75) << "";
+        QTest::newRow("what is left")
+            << "max(0 * weight, line_tension - 3 * weight)" << 10.0 << "N";
+        QTest::newRow("root of what is below zero")
+            << "sqrt(-height * height_of_pit)" << 30.0 << "m";
     }
 
     void formulas()
@@ -324,12 +336,10 @@ private slots:
         QFETCH(QString, text);
         QFETCH(double, expected);
         QFETCH(QString, unit);
-        const std::vector<Formula::Name> names{{"line tension", "N"},
-                                               {"weight", "N"},
-                                               {"height", "m"},
-                                               {"speed", "m/s"},
-                                               {"pitch", "deg"}};
-        const std::vector<double> values{40.0, 10.0, 15.0, 2.0, 30.0};
+        const std::vector<Formula::Name> names{{"line tension", "N"}, {"weight", "N"},
+                                               {"height", "m"},       {"speed", "m/s"},
+                                               {"pitch", "deg"},      {"height of pit", "m"}};
+        const std::vector<double> values{40.0, 10.0, 15.0, 2.0, 30.0, -60.0};
         auto formula = Formula::read(text.toStdString(), names);
         QVERIFY2(bool(formula), formula ? "" : formula.message().english().c_str());
         QVERIFY(std::abs(formula->value(values) - expected) < 1e-12 * std::abs(expected));
@@ -346,6 +356,12 @@ private slots:
                                 << "different units";
         QTest::newRow("sine of a length") << "sin(height)"
                                           << "different units";
+        QTest::newRow("unlike below a root") << "sqrt(weight - 3 * height)"
+                                             << "different units";
+        QTest::newRow("arc of a length") << "asin(height)"
+                                         << "different units";
+        QTest::newRow("unlike below a logarithm") << "ln(weight - 3 * height)"
+                                                  << "different units";
         QTest::newRow("unknown") << "weight + lift"
                                  << "\"lift\" is no other probe";
         QTest::newRow("endless") << "1 / 0"
