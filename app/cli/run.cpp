@@ -366,7 +366,7 @@ void addRun(CLI::App& app, Command& chosen)
         command
             ->add_option("--settle", options->settleSpeed,
                          "End when nothing has moved faster than SPEED m/s (0.01 unless given) for "
-                         "half a second")
+                         "half a swing of a pendulum of its size, half a second at least")
             ->expected(0, 1)
             ->type_name("[SPEED]");
     command

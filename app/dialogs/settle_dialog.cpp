@@ -30,14 +30,15 @@ namespace {
 constexpr double forgetting = 0.97; // share of the speed shown that is left a frame later
 constexpr int wholeBar = 1000;
 
-const Parameter speedParameter{
-    "--settle",
-    "m/s",
-    SettleGoal().speed,
-    1e-6,
-    100.0,
-    false,
-    "Still is what has moved slower than this everywhere for half a second."};
+const Parameter speedParameter{"--settle",
+                               "m/s",
+                               SettleGoal().speed,
+                               1e-6,
+                               100.0,
+                               false,
+                               "Still is what has moved slower than this everywhere for half a "
+                               "swing of a pendulum of its size, "
+                               "half a second at least."};
 const Parameter withinParameter{"--seconds",
                                 "s",
                                 SettleGoal().within,
@@ -197,7 +198,7 @@ void SettleDialog::end(const Settling& end)
     const bool still = end.outcome == Settling::Outcome::Still;
     if (still)
         m_bar->setValue(wholeBar);
-    say(still ? tr("Still after %1 s: nothing has moved faster than %2 m/s for half a second.")
+    say(still ? tr("Still after %1 s: nothing has moved faster than %2 m/s for half a swing.")
                     .arg(QLocale().toString(end.since, 'f', 1), number(end.goal))
               : tr("Not still after %1 s: in the last half second the fastest particle had %2 m/s. "
                    "Try kinetic damping, viscosity, a higher speed or more time.")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ripstop {
 namespace {
@@ -18,12 +19,27 @@ double highestSpeed(const System& system, const State& state)
     return std::sqrt(square);
 }
 
+// s: of a pendulum as long as all of it is large, pi sqrt(L / g); 0 without weight.
+double longestHalfSwing(const System& system, const State& state)
+{
+    const double gravity = system.gravity.norm();
+    if (state.position.empty() || gravity == 0.0)
+        return 0.0;
+    Vec3 low = state.position.front(), high = low;
+    for (const auto& place : state.position) {
+        low = low.cwiseMin(place);
+        high = high.cwiseMax(place);
+    }
+    return std::numbers::pi * std::sqrt((high - low).norm() / gravity);
+}
+
 } // namespace
 
 Settler::Settler(const SettleGoal& goal, const Simulation& simulation)
     : m_goal(goal)
     , m_start(simulation.state().time)
     , m_still(m_start)
+    , m_during(std::max(goal.during, longestHalfSwing(simulation.system(), simulation.state())))
     , m_run(simulation.system().run)
 {
     m_progress.goal = goal.speed;
@@ -43,7 +59,7 @@ void Settler::look(Simulation& simulation)
         m_tooFast = m_progress.speed;
     }
     const double roundOff = 1e-9; // s
-    if (state.time - m_still >= m_goal.during - roundOff)
+    if (state.time - m_still >= m_during - roundOff)
         m_progress.outcome = Settling::Outcome::Still;
     else if (m_progress.since >= m_goal.within - roundOff)
         m_progress.outcome = Settling::Outcome::GaveUp;

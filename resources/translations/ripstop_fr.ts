@@ -9100,8 +9100,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="settle_dialog.cpp"/>
-        <source>Still after %1 s: nothing has moved faster than %2 m/s for half a second.</source>
-        <translation>Immobile après %1 s : rien n’a dépassé %2 m/s pendant une demi-seconde.</translation>
+        <source>Still after %1 s: nothing has moved faster than %2 m/s for half a swing.</source>
+        <translation>Immobile après %1 s : rien n’a dépassé %2 m/s pendant une demi-oscillation.</translation>
     </message>
     <message>
         <location filename="settle_dialog.cpp"/>

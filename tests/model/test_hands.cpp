@@ -1,8 +1,8 @@
 // What hands do to a run: pulls, pins, fans and colliders that are carried.
 //
 // Stages: pulls against springs and statics, their limit and momentum; stiff hands and hands at
-// nothing; pins, fans and carried colliders; then bits at any number of threads, edits while
-// something is held, and settling.
+// nothing; pins, fans and carried colliders; then bits at any number of threads, and edits while
+// something is held.
 #include "assembly/finish.h"
 #include "model/systems.h"
 #include "registered_test.h"
@@ -14,7 +14,6 @@
 #include "forces/panel_load.h"
 #include "io/control_track.h"
 #include "measure/diagnostics.h"
-#include "run/settle.h"
 #include "simulation/simulation.h"
 
 #include <Eigen/Geometry>
@@ -428,64 +427,6 @@ private slots:
         const Vec3 pinned = positionOf(simulation, told.hands.pins[0]);
         QVERIFY(simulation.runUntil(0.2));
         QVERIFY(isNear(positionOf(simulation, told.hands.pins[0]), pinned, 0.0));
-    }
-
-    // A pendulum that loses its swing settles straight below its pin; with kinetic damping so does
-    // one that would swing for ever.
-    void settles_data()
-    {
-        QTest::addColumn<double>("viscosity"); // 1/s
-        QTest::addColumn<bool>("damped");
-        QTest::addColumn<Settling::Outcome>("outcome");
-        QTest::newRow("in syrup") << 3.0 << false << Settling::Outcome::Still;
-        QTest::newRow("without end") << 0.0 << false << Settling::Outcome::GaveUp;
-        QTest::newRow("by kinetic damping") << 0.0 << true << Settling::Outcome::Still;
-    }
-    void settles()
-    {
-        QFETCH(double, viscosity);
-        QFETCH(bool, damped);
-        QFETCH(Settling::Outcome, outcome);
-        System system = heavySystem(1.0 / 240.0);
-        system.viscosity = viscosity;
-        addPin(system, Vec3::Zero());
-        addParticle(system, {0.6, -0.8, 0.0}, 0.1);
-        addRod(system, 0, 1, 1.0);
-        finish(system);
-        Simulation simulation(shared(std::move(system)));
-        const SettleGoal goal{.speed = 1e-3, .during = 0.5, .within = 20.0, .damped = damped};
-        Settler settler(goal, simulation);
-        while (!settler.isOver()) {
-            QVERIFY(simulation.step());
-            settler.look(simulation);
-        }
-        QCOMPARE(settler.progress().outcome, outcome);
-        const Vec3 place = simulation.state().position[1];
-        if (outcome == Settling::Outcome::Still)
-            QVERIFY2(isNear(place, Vec3(0.0, -1.0, 0.0), 2e-3), told(place, Vec3(0.0, -1.0, 0.0)));
-        else
-            QCOMPARE(settler.progress().since >= 20.0 - 1e-6, true);
-    }
-
-    // A mass that swings up and down stands still at its turning points. Who gives up at one tells
-    // how fast it was before, not that it is slow enough: 0.01 m at w = sqrt(k / m) = 10 rad/s.
-    void tellsWhatWasTooFast()
-    {
-        System system = emptySystem(1.0 / 960.0);
-        addPin(system, Vec3::Zero());
-        addParticle(system, {1.01, 0.0, 0.0}, 1.0);
-        addSpring(system, 0, 1, 1.0, 100.0);
-        finish(system);
-        Simulation simulation(shared(std::move(system)));
-        const double period = 2.0 * std::numbers::pi / 10.0;
-        Settler settler({.speed = 0.02, .during = 0.5, .within = 3.0 * period}, simulation);
-        while (!settler.isOver()) {
-            QVERIFY(simulation.step());
-            settler.look(simulation);
-        }
-        QCOMPARE(settler.progress().outcome, Settling::Outcome::GaveUp);
-        QVERIFY(simulation.state().velocity[1].norm() < 0.01);
-        QVERIFY(settler.progress().speed > 0.02 && settler.progress().speed < 0.1 + 1e-3);
     }
 
 private:
