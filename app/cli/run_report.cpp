@@ -9,6 +9,7 @@
 #include "run/has_margins.h"
 #include "run/tear_events.h"
 #include "run/tear_report.h"
+#include "simulation/damping_percent.h"
 #include "study/probe_names.h"
 
 #include <algorithm>
@@ -396,7 +397,7 @@ void printRunTable(const Json& result, const Layout& layout)
                                                 + " Hz, frequency and height within 1 %");
     if (const double damping = accuracy["numerical_damping"].get<double>(); damping > 0.0)
         printReportRow("numerical damping",
-                       Message::number("%.2g", 100.0 * damping).english()
+                       dampingPercent(damping).english()
                            + " % of critical in the last 10 s, beside that of the design");
     printReportRow("energy", shortNumber(result["energy"]) + " J");
     printReportRow("hash", result["hash"].get<std::string>());

@@ -1,5 +1,7 @@
 #include "simulation/run_accuracy.h"
 
+#include "simulation/damping_percent.h"
+
 namespace ripstop {
 
 Message RunAccuracy::complaint() const
@@ -43,12 +45,11 @@ Message RunAccuracy::dampingComplaint() const
 {
     if (!isMet() || damping <= mostDamping)
         return {};
-    const Message ratio = Message::number("%.2g", 100.0 * damping);
     const Message fastest = Message::number("%.3g", fastestSwing);
     const Message told =
         Message("The time steps damp the motion by %1 % of critical: much of it swings faster than "
                 "the %2 Hz that they tell truly, and comes out weaker, or dies away.",
-                ratio, fastest);
+                dampingPercent(damping), fastest);
     return couldTakeBdf2
                ? Message("%1 Take the integrator BDF2, which damps far less, or a shorter time "
                          "step.",

@@ -17498,6 +17498,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <translation>erreur %1 %</translation>
     </message>
     <message>
+        <location filename="transport.cpp"/>
+        <source>more than 100</source>
+        <translation>plus de 100</translation>
+    </message>
+    <message>
         <location filename="tuning.cpp"/>
         <source>%1 slider</source>
         <translation>Curseur de %1</translation>

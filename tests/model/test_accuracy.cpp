@@ -4,6 +4,7 @@
 #include "io/scene_file.h"
 #include "model/cli_call.h"
 #include "registered_test.h"
+#include "simulation/damping_percent.h"
 #include "simulation/simulation.h"
 #include "step/accuracy.h"
 
@@ -102,6 +103,20 @@ private slots:
         QVERIFY(bdf2.dampingComplaint().empty());
         const Scene lines = *build(*findBuilder("bridle"), {{"cord", 0.0}});
         QVERIFY(flown(lines, 2.0).dampingComplaint().empty());
+    }
+
+    // In plain numbers, also about and above 100 %.
+    void saysDampingPlainly()
+    {
+        const auto said = [](double damping) {
+            return QString::fromStdString(dampingPercent(damping).english());
+        };
+        QCOMPARE(said(0.0023), "0.23");
+        QCOMPARE(said(0.0996), "10");
+        QCOMPARE(said(0.357), "36");
+        QCOMPARE(said(0.996), "100");
+        QCOMPARE(said(1.1), "more than 100");
+        QCOMPARE(said(250.0), "more than 100");
     }
 
     // By the definition: given 1 N where the length says 1.1 N, on one rod of compliance c.

@@ -245,7 +245,8 @@ void Transport::refreshAccuracy()
         return;
     }
     const auto percent = [](double share) {
-        return QLocale().toString(100.0 * share, 'g', share < 1.0 ? 2 : 3);
+        return share < 0.1 ? QLocale().toString(100.0 * share, 'g', 2)
+                           : QLocale().toString(100.0 * share, 'f', 0);
     };
     const bool byPulls =
         accuracy.pulls / accuracy.wantedPulls >= accuracy.strain / accuracy.wantedStrain;
@@ -270,7 +271,7 @@ void Transport::refreshAccuracy()
         + QLatin1Char('\n')
         + tr("Beside what the design has, the steps have damped its motion of the last ten seconds "
              "by %1 % of critical.")
-              .arg(percent(accuracy.damping));
+              .arg(accuracy.damping > 1.0 ? tr("more than 100") : percent(accuracy.damping));
     m_accuracy->setToolTip(
         accuracy.isMet() ? told : shownAsIs(told + QChar('\n') + translated(accuracy.complaint())));
 }
