@@ -9,6 +9,7 @@
 #include "scene/typed_number.h"
 #include "terminal/terminal.h"
 
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -99,7 +100,9 @@ void printFit(const MaterialFit& fit, const SpecimenSize& size)
 {
     const std::string unit(elongationUnit(size.specimen));
     const auto shown = [&](double elongation) {
-        return shortNumber(shownElongation(elongation, size.specimen)) + ' ' + unit;
+        constexpr double roundOff = 1e-9; // mm or %
+        const double number = shownElongation(elongation, size.specimen);
+        return shortNumber(std::abs(number) < roundOff ? 0.0 : number) + ' ' + unit;
     };
     std::cout << stiffnessOf(size).key << ' ' << shortNumber(fit.stiffness) << ' '
               << stiffnessUnit(size.specimen) << "\n  standard error "

@@ -339,8 +339,10 @@ void addShapeOptions(CLI::App& command, ImportOptions& options)
     auto* scale = command.add_option("--scale", options.scale, "Metres per unit of the file")
                       ->check(numberBetween(1e-12, 1e12))
                       ->excludes(unit);
-    command.add_option("--size", options.size, "Wanted length of the longest side, m")
-        ->check(numberBetween(1e-6, 1e6))
+    command
+        .add_option("--size", options.size,
+                    "Wanted length of the longest side, m, or with its unit: \"24 in\"")
+        ->transform(quantityBetween(1e-6, 1e6, "m"))
         ->excludes(unit)
         ->excludes(scale);
     command.add_option("--up", options.up, "The axis of the file that points up")
@@ -350,7 +352,7 @@ void addShapeOptions(CLI::App& command, ImportOptions& options)
     command
         .add_option("--weld", options.weld,
                     "Vertices nearer than this are joined, m; 1e-5 of the size")
-        ->check(numberBetween(0.0, 1e6));
+        ->transform(quantityBetween(0.0, 1e6, "m"));
     command.add_flag("--flip", options.flip, "Turn all faces over");
     command.add_option("--parts", options.parts, "One part, or one for each object of the file")
         ->check(CLI::IsMember({"one", "object"}))
@@ -376,13 +378,13 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
         ->capture_default_str()
         ->type_name("one|file");
     command.add_option("--density", options.density, "Mass per area of the fabric, kg/m^2")
-        ->check(numberBetween(1e-6, 1e3));
+        ->transform(quantityBetween(1e-6, 1e3, "kg/m^2"));
     command.add_option("--membrane", options.membrane, "Stiffness E t along threads, N/m")
-        ->check(numberBetween(1e-6, 1e9));
+        ->transform(quantityBetween(1e-6, 1e9, "N/m"));
     command.add_option("--shear-stiffness", options.shearStiffness, "Shear stiffness G t, N/m")
-        ->check(numberBetween(1e-6, 1e9));
+        ->transform(quantityBetween(1e-6, 1e9, "N/m"));
     command.add_option("--bending", options.bending, "Bending stiffness, N m")
-        ->check(numberBetween(0.0, 1e6));
+        ->transform(quantityBetween(0.0, 1e6, "N m"));
     command
         .add_option("--fabric", options.fabric,
                     "What carries the pull: panels are elastic triangles with warp, weft and "
@@ -394,7 +396,7 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
         .add_option("--grain", options.grain,
                     "Degrees by which the warp of panels is turned from the way the texture goes "
                     "up; without a texture, from upright, or from x on what lies level; 0")
-        ->check(numberBetween(-180.0, 180.0));
+        ->transform(quantityBetween(-180.0, 180.0, "deg"));
     const auto style = [&](const char* name, std::string& value, const char* help) {
         command.add_option(name, value, help)
             ->check(CLI::IsMember({"none", "springs", "rods"}))
@@ -408,7 +410,7 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
     command
         .add_option("--bend-stiffness", options.bendStiffness,
                     "Stiffness of bend links, N/m; 0.02 of the membrane's")
-        ->check(numberBetween(1e-9, 1e9));
+        ->transform(quantityBetween(1e-9, 1e9, "N/m"));
 }
 
 } // namespace

@@ -44,18 +44,20 @@ CLI::Validator numberBetween(double low, double high)
             ""};
 }
 
-CLI::Validator secondsBetween(double low, double high)
+CLI::Validator quantityBetween(double low, double high, std::string_view unit)
 {
-    return {[low, high](std::string& text) -> std::string {
-                const Typed typed = typedValue(text, "s");
+    return {[low, high, unit](std::string& text) -> std::string {
+                const Typed typed = typedValue(text, unit);
                 if (!typed.number || typed.number->number < low || typed.number->number > high)
                     return "must be a number from " + shortNumber(low) + " to " + shortNumber(high)
-                           + " s, not " + text;
+                           + ' ' + std::string(unit) + ", not " + text;
                 text = numberText(typed.number->number);
                 return {};
             },
             ""};
 }
+
+CLI::Validator secondsBetween(double low, double high) { return quantityBetween(low, high, "s"); }
 
 void addThreadsOption(CLI::App& command, int& threads)
 {

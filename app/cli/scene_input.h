@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ripstop {
@@ -25,7 +26,9 @@ void addSceneOption(CLI::App& command, SceneInput& input);
 // Accepts a finite number in the range. CLI::Range is not used because it lets "nan" through.
 CLI::Validator numberBetween(double low, double high);
 
-// The same of a time, for ->transform(): "0.2 s", "300 ms" and "1/3 min" are as good as a number.
+// The same of a number in a unit, for ->transform(): "24 in", "60 cm" and "2/3 ft" are as good as a
+// bare one, which is in `unit`, a literal; and of a time.
+CLI::Validator quantityBetween(double low, double high, std::string_view unit);
 CLI::Validator secondsBetween(double low, double high);
 
 // --threads, all of the machine's when it is left out.

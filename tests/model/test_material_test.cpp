@@ -296,6 +296,7 @@ private slots:
         QVERIFY(isNear(fit["value"].toDouble(), 12e3, 1e-9));
         QCOMPARE(fit["strength"].toDouble(), 240.0);
         QVERIFY(call(arguments).out.contains("broke at 240 N and 2 %"));
+        QVERIFY(call(arguments).out.contains("meets 0 N at 0 %\n")); // and not at -0
         QCOMPARE(call(arguments
                       + QStringList{"--from", "0.2 %", "--to", "1 %", "--save", "my_cord", "--like",
                                     "liros_ltc25", "--materials", own})

@@ -109,6 +109,22 @@ private slots:
         QCOMPARE(first["lines"].toObject()["length"].toDouble(), 4.0);
     }
 
+    // As everywhere: 24 inches are 0.6096 m, and a bare number is in the unit of the help.
+    void commandLineTakesUnits()
+    {
+        const QString mesh = write("inches.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n");
+        const auto imported = [&](const QStringList& options) {
+            const QString scene = m_folder.filePath("inches.ripstop.json");
+            return call(QStringList{"import", mesh, "-o", scene} + options);
+        };
+        QVERIFY(imported({"--size", "24 in"}).out.contains("0.6096 x 0.3048 x 0 m"));
+        QVERIFY(imported({"--size", "3"}).out.contains("3 x 1.5 x 0 m"));
+        QVERIFY(imported({"--density", "50 g/m^2"}).out.contains("2 m^2, 0.1 kg"));
+        const Outcome wrong = imported({"--size", "3 kg"});
+        QCOMPARE(wrong.exitCode, 2);
+        QVERIFY(wrong.error.contains("--size: must be a number from 1e-06 to 1e+06 m, not 3 kg"));
+    }
+
     // Lines of the file: the legs of a bridle and the line below it, drawn as an object of their
     // own whose ends lie on corners of the sail, and a spreader between two corners that no face
     // has. They become links that pull only, 1 g/m; a line along the edge of a face is a thread
