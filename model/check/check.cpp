@@ -1,8 +1,8 @@
 // Looks for the problems of a scene in this order:
 // 1. Errors: ids that are used twice, references that dangle or point at the wrong kind, free
 //    particles without mass or guide axis, and items whose numbers or files cannot work.
-// 2. Warnings of the mesh: links that join the same two particles, and particles without links
-//    (network_check.h).
+// 2. Warnings of the mesh: links that join the same two particles, particles without links
+//    (network_check.h), and fabric that is there twice or too heavy (fabric_check.h).
 // 3. Warnings of the run: a substep above the limit of springs and bending, colliders that fit
 //    between the particles of the fabric, and particles that begin inside one.
 // Elements that pass isSound() skip the walk over the property table, so that large tables stay
@@ -11,6 +11,7 @@
 
 #include "base/quantity.h"
 #include "check/elastic_check.h"
+#include "check/fabric_check.h"
 #include "check/flutter_check.h"
 #include "check/network_check.h"
 #include "check/start_check.h"
@@ -97,6 +98,7 @@ public:
     {
         errors();
         checkNetwork(m_scene, m_index, adding());
+        checkFabric(m_scene, m_index, adding());
         names();
         stability();
         gaps();

@@ -2599,6 +2599,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>l’air sur la toile</translation>
     </message>
     <message>
+        <location filename="fabric_check.cpp"/>
+        <source>%1 of %2 lies on the same three corners as panel %3: both pull and catch the wind there. Remove one.</source>
+        <translation>%1 de %2 a les trois mêmes coins que le panneau %3 : les deux y tirent et prennent le vent. En supprimer un.</translation>
+    </message>
+    <message>
+        <location filename="fabric_check.cpp"/>
+        <source>Material %1 has an areal density of %2 kg/m^2, and fabrics have 0.02 to 2: where grams are meant, type %2 g/m^2, which is %3 kg/m^2.</source>
+        <translation>Le matériau %1 a une masse surfacique de %2 kg/m^2, et les tissus ont de 0,02 à 2 : si ce sont des grammes, taper %2 g/m^2, soit %3 kg/m^2.</translation>
+    </message>
+    <message>
         <location filename="fabric_findings.cpp"/>
         <source>%1 threads carry the pull of fabric that panels carry as well.</source>
         <translation>%1 fils portent la traction d’un tissu que des panneaux portent aussi.</translation>

@@ -96,6 +96,12 @@ private slots:
             [](Scene& s) { materialIn(s).axialStiffness = 1e30; });
         row("spar of no stiffness that there is", error, 2, "above 1e+12 N m",
             [](Scene& s) { materialIn(s).flexuralRigidity = 2e12; });
+        row("panel on the corners of another", warning, 32, "same three corners as panel 31",
+            [](Scene& s) {
+                part(s).panels.push_back({Id{32}, Id{12}, Id{13}, Id{11}, materialId});
+            });
+        row("grams for kilograms", warning, 2, "type 47 g/m^2, which is 0.047 kg",
+            [](Scene& s) { materialIn(s).arealDensity = 47.0; });
         row("two of a name", warning, 40, "#2 and #40 are both called fabric",
             [](Scene& s) { addItem(s, Material{"fabric"}); });
         row("storm", warning, 40, "speed limit of 1000 m/s", [](Scene& s) {
@@ -242,6 +248,12 @@ private slots:
             std::get<Material>(*findItem(s, materialId)).membraneStiffness = 4e4;
             sail.links.pop_back();
             sail.links.pop_back();
+        });
+        row("felt", [](Scene& s) { materialIn(s).arealDensity = 9.9; });
+        row("panels side by side", [](Scene& s) {
+            part(s).particles.push_back({Id{14}, {1, 1, 0}});
+            part(s).links.push_back({Id{24}, Id{14}, Id{12}, materialId});
+            part(s).panels.push_back({Id{32}, Id{12}, Id{13}, Id{14}, materialId});
         });
         row("sphere without a normal", [](Scene& s) {
             Collider ball;
