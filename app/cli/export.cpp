@@ -35,7 +35,8 @@ struct ExportOptions
     std::optional<double> from;
     std::optional<double> to;
     std::string controls;
-    bool exact = false; // of a recording
+    bool exact = false;    // of a recording
+    bool replaces = false; // also meshes that were not named
     int threads = 1;
 };
 
@@ -64,7 +65,7 @@ std::optional<Failure> write(FrameSource& source, const Scene& scene, const Expo
                      });
 }
 
-// Whether an OBJ file was exported by Ripstop, or is not there or empty.
+// Whether an OBJ file was exported by Ripstop, or is empty.
 bool isOurs(const std::filesystem::path& mesh)
 {
     std::ifstream file(mesh);
@@ -76,8 +77,23 @@ bool isOurs(const std::filesystem::path& mesh)
     return begin.empty() || begin.starts_with("# Ripstop");
 }
 
+bool isThere(const std::filesystem::path& file)
+{
+    std::error_code error;
+    return std::filesystem::exists(file, error);
+}
+
+// Whether a file that was not named may be replaced: the mesh and the materials of an export that
+// is made again. Without the export they are somebody's, also where Ripstop wrote them.
+bool isMadeAgain(const std::filesystem::path& file, const std::filesystem::path& target)
+{
+    const std::filesystem::path kind = file.extension();
+    return (kind != ".obj" && kind != ".mtl")
+           || (isThere(target) && (kind != ".obj" || isOurs(file)));
+}
+
 // Looks at what is written beside the target and has not been named: nothing that is read, and no
-// mesh that another program has made.
+// mesh that is not of an export to the same target.
 int refuseFilesBeside(const ExportOptions& options, const Scene& scene, const FileNames& inputs)
 {
     const ExportFormat* format = formatOf(options.output);
@@ -87,14 +103,15 @@ int refuseFilesBeside(const ExportOptions& options, const Scene& scene, const Fi
     for (const std::filesystem::path& file : std::span(files).subspan(1)) { // the target has a name
         if (isInput(file.string(), inputs))
             return WrongUsage;
-        if (file.extension() == ".obj" && !isOurs(file))
+        if (!isThere(file))
+            continue;
+        if (!options.replaces && !isMadeAgain(file, files.front()))
             return fail(WrongUsage,
-                        Message("%1 is written beside %2, and is there already; it is not from "
-                                "Ripstop, and would be lost: give the target another name.",
+                        Message("%1 is written beside %2, and is there already; it would be lost: "
+                                "give the target another name, or say --replace.",
                                 file.string(), options.output));
-        if (std::error_code error; std::filesystem::exists(file, error))
-            std::cerr << "ripstop-cli: note: " << file.string() << " is there, and is written anew "
-                      << "beside " << options.output << ".\n";
+        std::cerr << "ripstop-cli: note: " << file.string() << " is there, and is written anew "
+                  << "beside " << options.output << ".\n";
     }
     return Done;
 }
@@ -216,6 +233,8 @@ void addExport(CLI::App& app, Command& chosen)
     command->add_flag("--exact", options->exact,
                       "Of a recording: compute each frame again, to the bit, instead of taking the "
                       "places that were kept, to 1e-6 m");
+    command->add_flag("--replace", options->replaces,
+                      "Also where a mesh that is written beside TARGET is there already");
     addSetOption(*command, options->scene.assignments);
     addThreadsOption(*command, options->threads);
     command->footer(

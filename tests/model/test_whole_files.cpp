@@ -267,6 +267,30 @@ private slots:
         QCOMPARE(again.exitCode, 0);
         QVERIFY2(again.error.contains("sail.obj is there, and is written anew"),
                  qPrintable(again.error));
+        write(folder.filePath("sail.obj"), others); // not by the export that is there
+        QCOMPARE(exported().exitCode, 2);
+        QCOMPARE(contentOf(folder.filePath("sail.obj")), others);
+    }
+
+    // Nor one that Ripstop wrote, of an export by itself.
+    void refusesToReplaceAMeshOfAnotherExport()
+    {
+        const QTemporaryDir folder;
+        const auto exported = [&](const QString& name, const QStringList& more = {}) {
+            return call(QStringList{"export", scene("flag"), "-o", folder.filePath(name)} + more);
+        };
+        QCOMPARE(exported("sail.obj", {"--to", "0.5"}).exitCode, 0);
+        const QByteArray mesh = contentOf(folder.filePath("sail.obj"));
+        const QStringList before = namesIn(folder.path());
+        for (const char* cache : {"sail.pc2", "sail.mdd"}) {
+            const Outcome refused = exported(cache, {"--to", "0"});
+            QCOMPARE(refused.exitCode, 2);
+            QVERIFY2(refused.error.contains("or say --replace"), qPrintable(refused.error));
+            QCOMPARE(namesIn(folder.path()), before);
+            QCOMPARE(contentOf(folder.filePath("sail.obj")), mesh);
+        }
+        QCOMPARE(exported("sail.pc2", {"--to", "0", "--replace"}).exitCode, 0);
+        QVERIFY(contentOf(folder.filePath("sail.obj")) != mesh);
     }
 
     void refusesOneFileForTwo()
