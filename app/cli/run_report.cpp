@@ -380,7 +380,7 @@ void printRunTable(const Json& result, const Layout& layout)
         printReportRow(still ? "settled after" : "not settled after",
                        shortNumber(end["seconds"]) + " s; the fastest particle "
                            + (still ? "has " : "had ") + shortNumber(end["speed"]) + " m/s"
-                           + (still ? "" : " in the last half second"));
+                           + (still ? "" : " in the last half swing"));
     }
     printReportRow("largest strain", shortNumber(result["max_strain"]) + " at the end");
     const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };

@@ -200,7 +200,7 @@ void SettleDialog::end(const Settling& end)
         m_bar->setValue(wholeBar);
     say(still ? tr("Still after %1 s: nothing has moved faster than %2 m/s for half a swing.")
                     .arg(QLocale().toString(end.since, 'f', 1), number(end.goal))
-              : tr("Not still after %1 s: in the last half second the fastest particle had %2 m/s. "
+              : tr("Not still after %1 s: in the last half swing the fastest particle had %2 m/s. "
                    "Try kinetic damping, viscosity, a higher speed or more time.")
                     .arg(QLocale().toString(end.since, 'f', 1), number(end.speed)));
     refresh();

@@ -9095,8 +9095,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="settle_dialog.cpp"/>
-        <source>Not still after %1 s: in the last half second the fastest particle had %2 m/s. Try kinetic damping, viscosity, a higher speed or more time.</source>
-        <translation>Pas immobile après %1 s : dans la dernière demi-seconde, la particule la plus rapide avait %2 m/s. Essayez l’amortissement cinétique, la viscosité, une vitesse plus grande ou plus de temps.</translation>
+        <source>Not still after %1 s: in the last half swing the fastest particle had %2 m/s. Try kinetic damping, viscosity, a higher speed or more time.</source>
+        <translation>Pas immobile après %1 s : dans la dernière demi-oscillation, la particule la plus rapide avait %2 m/s. Essayez l’amortissement cinétique, la viscosité, une vitesse plus grande ou plus de temps.</translation>
     </message>
     <message>
         <location filename="settle_dialog.cpp"/>
