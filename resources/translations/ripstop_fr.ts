@@ -16653,6 +16653,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="thread_check.cpp"/>
+        <source>Threads of %1 pull with %2 at most, with less along lines that zigzag, and resist shear with up to %3, where %4 has %5 and %6: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
+        <translation>Les fils de %1 tirent avec %2 au plus, avec moins le long de lignes en zigzag, et résistent au cisaillement avec jusqu’à %3, alors que %4 a %5 et %6 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
+    </message>
+    <message>
+        <location filename="thread_check.cpp"/>
+        <source>Threads of %1 pull with %2 at most, with less along lines that zigzag, where %3 has %4: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
+        <translation>Les fils de %1 tirent avec %2 au plus, avec moins le long de lignes en zigzag, alors que %3 a %4 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
+    </message>
+    <message>
+        <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with the membrane stiffness of %2, %3, whichever way they run; its weft stiffness of %4 is not used. Have panels carry the pull, which know warp and weft.</source>
         <translation>Les fils de %1 tirent avec la raideur de membrane de %2, %3, quel que soit leur sens ; sa raideur de trame de %4 n’est pas utilisée. Faites porter la traction par les panneaux, qui connaissent chaîne et trame.</translation>
     </message>
@@ -16660,16 +16670,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="thread_check.cpp"/>
         <source>Threads of %1 pull with up to %2 along cells that are %3 times as long as wide, instead of the membrane stiffness of %4, %5: their diagonals alone are stiffer. Make the cells squarer, or have panels carry the pull.</source>
         <translation>Les fils de %1 tirent jusqu’à %2 le long de mailles %3 fois plus longues que larges, au lieu de la raideur de membrane de %4, %5 : leurs diagonales seules sont plus raides. Rendez les mailles plus carrées, ou faites porter la traction par les panneaux.</translation>
-    </message>
-    <message>
-        <location filename="thread_check.cpp"/>
-        <source>Threads of %1 pull with up to %2 and resist shear with up to %3, where %4 has %5 and %6: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
-        <translation>Les fils de %1 tirent avec jusqu’à %2 et résistent au cisaillement avec jusqu’à %3, alors que %4 a %5 et %6 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
-    </message>
-    <message>
-        <location filename="thread_check.cpp"/>
-        <source>Threads of %1 pull with up to %2, where %3 has %4: they are true along warp and weft of a grid of quads, and this mesh is another. Have panels carry the pull.</source>
-        <translation>Les fils de %1 tirent avec jusqu’à %2, alors que %3 a %4 : ils sont justes le long de la chaîne et de la trame d’une grille de quadrilatères, et ce maillage en est un autre. Faites porter la traction par les panneaux.</translation>
     </message>
     <message>
         <location filename="time_left.cpp"/>
