@@ -5,7 +5,7 @@
 // options, imports one file after the other into one scene, fits the substeps to the springs, and
 // writes the scene.
 #include "author/mesh_import.h"
-#include "check/check.h"
+#include "check/step_check.h"
 #include "cli/commands.h"
 #include "cli/own_library.h"
 #include "cli/scene_input.h"

@@ -3,6 +3,7 @@
 // Sums of mass, moment and area are taken over each part; describe() collects all that is said in
 // JSON, which printTable() prints for people, so that both outputs say the same.
 #include "check/check.h"
+#include "check/step_check.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"

@@ -6,6 +6,7 @@
 #include "materials/neighbours.h"
 
 #include "check/check.h"
+#include "check/step_check.h"
 #include "cli/commands.h"
 #include "cli/own_library.h"
 #include "cli/preset_list.h"

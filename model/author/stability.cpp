@@ -7,7 +7,7 @@
 #include "author/stability.h"
 
 #include "author/fabric_findings.h"
-#include "check/check.h"
+#include "check/step_check.h"
 #include "check/step_limits.h"
 #include "derived/link_stiffness.h"
 #include "derived/tear_bounds.h"

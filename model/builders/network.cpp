@@ -4,7 +4,7 @@
 // from these numbers alone.
 #include "builders/network.h"
 
-#include "check/check.h"
+#include "check/step_check.h"
 #include "derived/flat_panel.h"
 
 #include <Eigen/Geometry>

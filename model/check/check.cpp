@@ -3,8 +3,8 @@
 //    particles without mass or guide axis, and items whose numbers or files cannot work.
 // 2. Warnings of the mesh: links that join the same two particles, particles without links
 //    (network_check.h), and fabric that is there twice or too heavy (fabric_check.h).
-// 3. Warnings of the run: a substep above the limit of springs and bending, colliders that fit
-//    between the particles of the fabric, and particles that begin inside one.
+// 3. Warnings of the run: what the step has to bear (step_check.h), colliders that fit between the
+//    particles of the fabric, and particles that begin inside one.
 // Elements that pass isSound() skip the walk over the property table, so that large tables stay
 // cheap. The result is sorted by severity and keeps the order of finding within each.
 #include "check/check.h"
@@ -15,7 +15,7 @@
 #include "check/flutter_check.h"
 #include "check/network_check.h"
 #include "check/start_check.h"
-#include "check/step_limits.h"
+#include "check/step_check.h"
 #include "check/tear_check.h"
 #include "check/thread_check.h"
 #include "check/unknown.h"
@@ -33,21 +33,6 @@
 
 namespace ripstop {
 namespace {
-
-std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
-{
-    const StepLimits limits = stepLimitsOf(scene, index);
-    std::optional<StepLimit> limit;
-    std::size_t i = 0;
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& particle : part.particles) {
-            const double h = limits.timeStep[i++];
-            if (std::isfinite(h) && (!limit || h < limit->timeStep))
-                limit = StepLimit{h, particle.id, limits.cause};
-        }
-    });
-    return limit;
-}
 
 bool hasParticles(const Scene& scene)
 {
@@ -100,7 +85,7 @@ public:
         checkNetwork(m_scene, m_index, adding());
         checkFabric(m_scene, m_index, adding());
         names();
-        stability();
+        checkStep(m_scene, m_index, adding());
         gaps();
         checkStart(m_scene, adding());
         checkTearing(m_scene, adding());
@@ -388,41 +373,6 @@ private:
         }
     }
 
-    void stability()
-    {
-        const Settings& settings = m_scene.settings;
-        if (settings.integrator == Integrator::Bdf2 && settings.solver == Solver::SmallSteps)
-            add("single sweeps", Severity::Warning,
-                Message("The integrator bdf2 makes what single sweeps leave over grow, so that "
-                        "rods swing up: "
-                        "choose the automatic solver, or another integrator."),
-                noId);
-        const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
-        if (!limit)
-            return;
-        const int taken = std::max(mostSubsteps, settings.substeps);
-        if (limit->cause.bending && settings.solver == Solver::Auto
-            && settings.timeStep > taken * limit->timeStep)
-            return add("step", Severity::Warning,
-                       Message("The bending at particle %1 needs substeps of %2 s, and the "
-                               "automatic solver takes no more than %3 of them in a time step: it "
-                               "will run away. Lower the flexural rigidity, join small cells, or "
-                               "shorten the time step.",
-                               std::uint32_t(limit->particle),
-                               Message::number("%.3g", limit->timeStep), taken),
-                       limit->particle);
-        if (!exceeds(settings, *limit))
-            return;
-        const double h = settings.timeStep / settings.substeps;
-        add("step", Severity::Warning,
-            Message(
-                "The substep of %1 s is above the %2 s that particle %3 may need for %4: shorten "
-                "the time step, add substeps, or lower stiffness and damping.",
-                Message::number("%.3g", h), Message::number("%.3g", limit->timeStep),
-                std::uint32_t(limit->particle), limit->cause.said()),
-            limit->particle);
-    }
-
     const Scene& m_scene;
     const ElementIndex& m_index;
     std::size_t m_most;
@@ -463,25 +413,6 @@ bool hasErrors(const std::vector<Finding>& problems)
 {
     return std::any_of(problems.begin(), problems.end(),
                        [](const Finding& p) { return p.severity == Severity::Error; });
-}
-
-bool exceeds(const Settings& settings, const StepLimit& limit)
-{
-    return settings.timeStep / settings.substeps > limit.timeStep
-           && !(limit.cause.bending && settings.solver == Solver::Auto);
-}
-
-int substepsWithin(const StepLimit& limit, const Settings& settings)
-{
-    constexpr double spare = 1.2;
-    const Range range = propertyOf<&Settings::substeps>().range;
-    return int(
-        std::clamp(std::ceil(spare * settings.timeStep / limit.timeStep), range.low, range.high));
-}
-
-std::optional<StepLimit> stepLimit(const Scene& scene)
-{
-    return limitOf(scene, ElementIndex(scene));
 }
 
 } // namespace ripstop

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "check/finding.h"
-#include "check/step_limits.h"
 
 namespace ripstop {
 
@@ -24,23 +23,6 @@ std::optional<Finding> firstErrorOfItems(const Scene& scene, const ElementIndex&
 
 // Whether an element has no error of its own: what is left to check when only its values changed.
 bool isSound(const ConstRef& element, const ElementIndex& index);
-
-// The longest substep at which springs and bending of a scene are sure to be stable, and the
-// particle that asks for it (laws/step_limit.h). Nothing when there are neither.
-struct StepLimit
-{
-    double timeStep; // s
-    Id particle;
-    StepLimitCause cause; // with bending, Solver::Auto keeps to the limit
-};
-std::optional<StepLimit> stepLimit(const Scene& scene);
-
-// Whether the substep of the settings is above the limit. Solver::Auto shortens its own substeps
-// where something bends, so that it does not exceed such a limit.
-bool exceeds(const Settings& settings, const StepLimit& limit);
-
-// How many substeps keep to the limit with a fifth to spare; not more than a scene may have.
-int substepsWithin(const StepLimit& limit, const Settings& settings);
 
 bool hasErrors(const std::vector<Finding>& problems);
 

@@ -28,7 +28,8 @@ constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look a
 constexpr double leftByNewton = 0.5;
 // Much of it lets pulls settle soon and folds a little later. In wind, what folds pull counts, and
 // with so much of it an iteration may bring only 2 % less of the error: where there are many, each
-// keeps less of it than the one before. Contacts cannot wait for folds, nor settle while it changes.
+// keeps less of it than the one before. Contacts cannot wait for folds, nor settle while it
+// changes.
 constexpr KeptByFolds keptInTheAir{.most = 1e-2, .least = 1e-5};
 constexpr KeptByFolds keptOnObstacles{.most = 1e-3, .least = 1e-3};
 constexpr int manyIterations = 5;

@@ -73,11 +73,13 @@ private slots:
     // step, however many iterations that takes: 40 of them were too few for a step in thirty.
     void aFlagInWindHoldsItsAccuracy()
     {
-        const Scene flag = *build(*findBuilder("cloth"), {{"columns", 30},
-                                                          {"rows", 30},
-                                                          {"sphere", 0},
-                                                          {"hang", 1}, // by its left edge
-                                                          {"wind", 5}});
+        const Builder& cloth = *findBuilder("cloth");
+        const Parameters given = {{"columns", 30},
+                                  {"rows", 30},
+                                  {"sphere", 0},
+                                  {"hang", 1}, // by its left edge
+                                  {"wind", 5}};
+        const Scene flag = *build(cloth, newDesign(cloth, given));
         const RunAccuracy accuracy = flown(flag, 0.25);
         QVERIFY(accuracy.steps >= 60);
         QCOMPARE(accuracy.missed, 0);

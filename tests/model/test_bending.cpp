@@ -7,6 +7,7 @@
 #include "builders/builder.h"
 #include "builders/network.h"
 #include "check/check.h"
+#include "check/step_check.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "compile/patch.h"

@@ -3,6 +3,7 @@
 // Stages: a sound scene has none; then each problem is made once and has to be found once; the
 // order and number of what is told; then the longest time step of springs, against chains by hand.
 #include "check/check.h"
+#include "check/step_check.h"
 #include "registered_test.h"
 
 #include "laws/step_limit.h"
