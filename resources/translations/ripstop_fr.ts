@@ -595,11 +595,6 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>The bending at particle %1 needs substeps of %2 s, and the automatic solver takes no more than %3 of them in a time step: it will run away. Lower the flexural rigidity, join small cells, or shorten the time step.</source>
-        <translation>La flexion à la particule %1 demande des sous-pas de %2 s, et le solveur automatique n’en prend pas plus de %3 dans un pas de temps : elle va s’emballer. Réduisez la rigidité en flexion, réunissez les petites mailles ou raccourcissez le pas de temps.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
         <source>The formula of probe %1 cannot be worked out: %2.</source>
         <translation>La formule de la sonde %1 ne peut pas être calculée : %2.</translation>
     </message>
@@ -610,18 +605,8 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>The integrator bdf2 makes what single sweeps leave over grow, so that rods swing up: choose the automatic solver, or another integrator.</source>
-        <translation>L’intégrateur bdf2 fait croître ce que laissent des balayages uniques, si bien que les tiges s’agitent de plus en plus : choisissez le solveur automatique ou un autre intégrateur.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
         <source>The scene has no particles: insert a part or import a mesh.</source>
         <translation>La scène n’a pas de particules : insérer une pièce ou importer un maillage.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>The substep of %1 s is above the %2 s that particle %3 may need for %4: shorten the time step, add substeps, or lower stiffness and damping.</source>
-        <translation>Le sous-pas de %1 s dépasse les %2 s dont la particule %3 peut avoir besoin pour %4 : raccourcissez le pas de temps, ajoutez des sous-pas, ou diminuez la raideur et l’amortissement.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -9927,6 +9912,26 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="status_line.cpp"/>
         <source>Selected: %1</source>
         <translation>Sélection : %1</translation>
+    </message>
+    <message>
+        <location filename="step_check.cpp"/>
+        <source>The bending at particle %1 asks for %2 substeps, where %3 would do for most of what bends: cells there are narrow, or links short, and each step takes as many times as long. Make them like the others, join them, or leave out the bending stiffness.</source>
+        <translation>La flexion à la particule %1 demande %2 sous-pas, alors que %3 suffiraient à la plupart de ce qui fléchit : les mailles y sont étroites, ou les liens courts, et chaque pas dure autant de fois plus longtemps. Rendez-les semblables aux autres, réunissez-les, ou laissez la raideur de flexion à zéro.</translation>
+    </message>
+    <message>
+        <location filename="step_check.cpp"/>
+        <source>The bending at particle %1 needs substeps of %2 s, and the automatic solver takes no more than %3 of them in a time step: it will run away. Lower the flexural rigidity, join small cells, or shorten the time step.</source>
+        <translation>La flexion à la particule %1 demande des sous-pas de %2 s, et le solveur automatique n’en prend pas plus de %3 dans un pas de temps : elle va s’emballer. Réduisez la rigidité en flexion, réunissez les petites mailles ou raccourcissez le pas de temps.</translation>
+    </message>
+    <message>
+        <location filename="step_check.cpp"/>
+        <source>The integrator bdf2 makes what single sweeps leave over grow, so that rods swing up: choose the automatic solver, or another integrator.</source>
+        <translation>L’intégrateur bdf2 fait croître ce que laissent des balayages uniques, si bien que les tiges s’agitent de plus en plus : choisissez le solveur automatique ou un autre intégrateur.</translation>
+    </message>
+    <message>
+        <location filename="step_check.cpp"/>
+        <source>The substep of %1 s is above the %2 s that particle %3 may need for %4: shorten the time step, add substeps, or lower stiffness and damping.</source>
+        <translation>Le sous-pas de %1 s dépasse les %2 s dont la particule %3 peut avoir besoin pour %4 : raccourcissez le pas de temps, ajoutez des sous-pas, ou diminuez la raideur et l’amortissement.</translation>
     </message>
     <message>
         <location filename="step_limits.cpp"/>
