@@ -13,8 +13,6 @@ namespace ripstop {
 
 namespace {
 
-constexpr double toSpare = 1.05;
-
 struct Sums // of the forces at a particle
 {
     double stiffness = 0.0; // N/m
@@ -116,8 +114,8 @@ bool springsAreTogether(const Scene& scene, const ElementIndex& index)
     const bool some = std::ranges::any_of(springs, [](const Sums& s) { return s.stiffness > 0.0; });
     if (!some || settings.integrator == Integrator::ImplicitEuler)
         return some;
-    const double longest = toSpare * longestSubstep(scene);
-    const bool isBdf2 = longest > toSpare * settings.timeStep / settings.substeps;
+    const double longest = spareOfSubsteps * longestSubstep(scene);
+    const bool isBdf2 = longest > spareOfSubsteps * settings.timeStep / settings.substeps;
     const Integrator integrator = isBdf2 ? Integrator::Bdf2 : settings.integrator;
     bool tooStiff = false;
     std::size_t next = 0;

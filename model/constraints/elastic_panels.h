@@ -84,6 +84,9 @@ public:
 
     // From the next measure() on: how much folds keep; less or more, within what was set.
     void setKeptByFolds(const KeptByFolds& kept) { m_kept = kept.most, m_mayKeep = kept; }
+
+    // A quarter where the search goes astray, and sixteen times as much again once it has come to
+    // its end: folds that keep little are true to the law, and folds that keep much are calm.
     void keepLess() { m_kept = std::max(0.25 * m_kept, m_mayKeep.least); }
     void keepMore() { m_kept = std::min(16.0 * m_kept, m_mayKeep.most); }
 

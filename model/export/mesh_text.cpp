@@ -122,7 +122,8 @@ std::string objText(const Surface& surface)
     text += surface.lines.empty() ? "" : "g lines\n";
     for (const auto& [a, b] : surface.lines)
         text += "l " + std::to_string(a + 1) + ' ' + std::to_string(b + 1) + '\n';
-    return text += objLoose(surface);
+    text += objLoose(surface);
+    return text;
 }
 
 Result<std::string> objMoment(const Frame& frame, const MeshAppearance& appearance)

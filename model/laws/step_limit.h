@@ -18,6 +18,9 @@
 
 namespace ripstop {
 
+// What substeps that are chosen keep to spare of their limit, as forces change in flight.
+constexpr double spareOfSubsteps = 1.05;
+
 // The limit above for one particle, s; infinite where nothing bounds it. The formula is turned
 // around so that it holds for w = 0 too.
 //   mass, stiffness, damping  kg, N/m, N s/m

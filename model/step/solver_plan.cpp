@@ -13,6 +13,7 @@
 #include "base/portable_math.h"
 #include "constraints/direct_choice.h"
 #include "forces/forces.h"
+#include "laws/step_limit.h"
 #include "step/branches.h"
 
 #include <algorithm>
@@ -25,7 +26,6 @@ namespace ripstop {
 namespace {
 
 constexpr double safety = 1.5;
-constexpr double spareForStiffness = 1.05;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
 constexpr double slowBends = 2.0;         // substeps of BDF2 that what bends is stable for
 constexpr double manySubsteps = 100.0;    // in 10 ms
@@ -138,11 +138,6 @@ int substepsWithin(double timeStep, double limit, double spare)
                       mostSubsteps);
 }
 
-int substepsForStiffness(const System& system)
-{
-    return substepsWithin(system.timeStep, stiffStepLimit(system), spareForStiffness);
-}
-
 // [rods] 1 where it is of a spar whose bends are solved with its rods.
 std::vector<std::uint8_t> rodsThatBend(const System& system)
 {
@@ -223,6 +218,8 @@ public:
     explicit Planner(const System& system)
         : m_system(system)
         , m_direct(system.rods.size(), 0)
+        , m_limit(stiffStepLimit(system))
+        , m_stiff(substepsWithin(system.timeStep, m_limit, spareOfSubsteps))
     {}
 
     // Returns whether there were any that had not been given before.
@@ -249,13 +246,12 @@ public:
 
     const std::vector<std::uint8_t>& direct() const { return m_direct; }
 
-    //   stiff  substeps that forces need
-    SolverPlan plan(int stiff, double substeps) const
+    SolverPlan plan(double substeps) const
     {
         SolverPlan plan;
         plan.together = givesAll();
-        plan.integrator = integratorOf(plan.together, stiff);
-        plan.least = leastOf(plan.integrator, stiff);
+        plan.integrator = integratorOf(plan.together);
+        plan.least = leastOf(plan.integrator);
         plan.substeps =
             std::max(int(std::ceil(std::min(substeps, double(mostSubsteps)))), plan.least);
         if (!m_given.empty())
@@ -274,7 +270,7 @@ public:
                 Message("small steps: %1 substeps of one sweep to begin with, for a "
                         "strain of %2 %",
                         plan.substeps, Message::number("%.3g", 100.0 * m_system.strainGoal));
-        if (stiff > 1)
+        if (m_stiff > 1)
             plan.reason = needs(std::move(plan.reason), plan.substeps);
         if (!m_system.membranes.empty())
             return plan;
@@ -287,8 +283,7 @@ private:
     //   taken  substeps, of which the author may want more than the solver takes by itself
     Message needs(Message reason, int taken) const
     {
-        const double wanted =
-            std::ceil(spareForStiffness * m_system.timeStep / stiffStepLimit(m_system));
+        const double wanted = std::ceil(spareOfSubsteps * m_system.timeStep / m_limit);
         if (wanted > taken)
             return Message("%1; %2 would need %3, and no more are taken", std::move(reason),
                            boundingForces(m_system), Message::number("%.3g", wanted));
@@ -306,26 +301,24 @@ private:
 
     // BDF2 where what bends is slow enough for it in half as many substeps as Euler's method takes:
     // it may look at its loads twice in each.
-    Integrator integratorOf(bool together, int stiff) const
+    Integrator integratorOf(bool together) const
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        const int ofEuler = leastOf(Integrator::SemiImplicitEuler, stiff);
-        const bool isCalm =
-            panelsAreDamped(m_system) && undampedRodsAreBranches(m_system)
-            && rigidRodsHoldStill(m_system)
-            && std::max(1, ofEuler / 2) * stiffStepLimit(m_system) >= slowBends * m_system.timeStep;
+        const int ofEuler = leastOf(Integrator::SemiImplicitEuler);
+        const bool isCalm = panelsAreDamped(m_system) && undampedRodsAreBranches(m_system)
+                            && rigidRodsHoldStill(m_system)
+                            && std::max(1, ofEuler / 2) * m_limit >= slowBends * m_system.timeStep;
         return together && isCalm ? Integrator::Bdf2 : Integrator::SemiImplicitEuler;
     }
 
     // Substeps that the author asks for, and what forces need.
-    int leastOf(Integrator integrator, int stiff) const
+    int leastOf(Integrator integrator) const
     {
-        const int wanted = std::max(stiff, wantedOf(integrator));
+        const int wanted = std::max(m_stiff, wantedOf(integrator));
         if (integrator != Integrator::Bdf2 || m_system.integrator != Integrator::Auto)
             return wanted;
-        return std::max(wanted,
-                        substepsWithin(m_system.timeStep, stiffStepLimit(m_system), slowBends));
+        return std::max(wanted, substepsWithin(m_system.timeStep, m_limit, slowBends));
     }
 
     // Substeps that the author wants at least.
@@ -353,6 +346,8 @@ private:
 
     const System& m_system;
     std::vector<std::uint8_t> m_direct; // [rods]
+    double m_limit;                     // s, of a substep, that forces set
+    int m_stiff;                        // substeps that they need
     std::vector<Given> m_given;
 };
 
@@ -361,12 +356,11 @@ private:
 SolverPlan planFor(const System& system)
 {
     Planner planner(system);
-    const int least = substepsForStiffness(system);
     const auto isAny = [](const Rod&) { return true; };
     if (!system.membranes.empty())
         planner.give(planner.networksOf(isAny), nullptr);
     if (system.rods.empty() || !system.membranes.empty())
-        return planner.plan(least, 1.0);
+        return planner.plan(1.0);
     const double many = manySubsteps * system.timeStep / 0.01;
     const double tooMany = tooManySubsteps * system.timeStep / 0.01;
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
@@ -433,8 +427,7 @@ SolverPlan planFor(const System& system)
     if (worst.substeps > tooMany && system.inverseMass.size() <= mostRigid
         && planner.give(planner.networksOf(isRigid), ofSize))
         worst = worstRod(system, planner.direct());
-    return planner.plan(least,
-                        std::max(worst.substeps, substepsForPulls(system, planner.direct())));
+    return planner.plan(std::max(worst.substeps, substepsForPulls(system, planner.direct())));
 }
 
 int substepsForDamping(const System& system, const State& state, bool joinsMasses, Damping& scratch)
