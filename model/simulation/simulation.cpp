@@ -67,7 +67,7 @@ public:
     Stepper stepper;
     EnergyLedger ledger;
     RunAccuracy accuracy;
-    NumericalDamping damping; // that it tells of
+    RecentDamping damping; // that it tells of
     LoadWatch loads;
     std::optional<Trouble> trouble;
 
@@ -282,7 +282,7 @@ void Simulation::Private::noteAccuracy(std::size_t torn)
             accuracy.tornUntrueFirst = run.now.time;
         accuracy.tornUntrue += std::int64_t(torn);
     }
-    damping.follow(stepper.numericalDamping(), system().timeStep);
+    damping.add(stepper.numericalDamping(), system().timeStep);
     accuracy.damping = damping.ratio();
     accuracy.couldTakeBdf2 =
         stepper.integrator() != Integrator::Bdf2

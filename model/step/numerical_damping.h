@@ -9,8 +9,9 @@
 //     backward Euler   sum m |v1 - v0|^2               both of motion and of what is stretched
 //     BDF2             sum m |v2 - 2 v1 + v0|^2 / 2    the same
 //
-// What goes to and fro meanwhile is sum m |v| |v1 - v0|, four times the energy of a swing in each
-// of its periods. A damper that takes the share z of the critical takes 4 pi z of that energy, so
+// What goes to and fro meanwhile is sum m |v| |v1 - v0| along each axis, four times the energy of a
+// swing in each of its periods; what goes round is two swings across each other. A damper that
+// takes the share z of the critical takes 4 pi z of that energy, so
 //
 //     z = taken / (pi turned)
 //
@@ -22,6 +23,8 @@
 #include "parallel/thread_pool.h"
 #include "system/system.h"
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 namespace ripstop {
@@ -31,18 +34,28 @@ struct NumericalDamping
     double taken = 0.0;  // W, or J of many steps
     double turned = 0.0; // the same
 
-    // 1, of the critical; 0 where nothing moves.
-    double ratio() const;
+    double ratio() const; // 1, of the critical; 0 where nothing moves
+};
 
-    // Adds the time step, s, to what is remembered of those before, which fades within ten seconds.
-    void follow(const NumericalDamping& step, double timeStep);
+// What the steps of the last ten seconds have taken, to a second. What was before is forgotten, so
+// that what has come to rest is not said to be damped.
+class RecentDamping
+{
+public:
+    void add(const NumericalDamping& step, double timeStep); // s
+    double ratio() const;                                    // as above, of all of them
+
+private:
+    std::array<NumericalDamping, 10> m_sums; // J, of a second each
+    std::size_t m_now = 0;                   // the sum that grows
+    double m_filled = 0.0;                   // s of it
 };
 
 // Of the last substep, of which `state` is the end. Particles that have met an obstacle in this
 // step do not count, as impacts take energy from what falls, and neither does motion along rods
-// that never stretch: how they ring is the solver's, not the design's. Nor do, with other
-// integrators than BDF2, particles that no rod or panel is at: what springs alone do to them is
-// told without damping.
+// that never stretch, as far as it is more than their turning takes: how they ring is the solver's,
+// not the design's. Nor do, with other integrators than BDF2, particles that no rod or panel is at:
+// what springs alone do to them is told without damping.
 //   start    [particles] m/s, at its start; or empty, where nothing is known
 //   touches  [particles] touchOf() of this step, or empty
 NumericalDamping numericalDampingOf(const System& system, const State& state,
