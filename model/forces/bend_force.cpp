@@ -239,6 +239,25 @@ double bendingEnergy(const System& system, const State& state)
     return energy;
 }
 
+std::vector<Vec3> pullsOfBends(const System& system, const State& state)
+{
+    const BendLists& lists = system.of<BendLists>();
+    std::vector<Vec3> pulls(state.position.size(), Vec3::Zero());
+    BendScratch bends;
+    bends.size(lists);
+    ThreadPool alone(1);
+    fillBends(system, state, alone, bends);
+    for (std::size_t i = 0; i < lists.panels.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            pulls[std::size_t(lists.panels[i].corner[k])] += bends.load[3 * i + k];
+    for (const Bend& spar : lists.ofSpars()) {
+        const std::array<Vec3, 3> ofSpar = pullsOfSpar(system, state, spar);
+        for (std::size_t k = 0; k < 3; ++k)
+            pulls[std::size_t(spar.corner[k])] += ofSpar[k];
+    }
+    return pulls;
+}
+
 std::unique_ptr<Force> BendLists::makeForce() { return std::make_unique<BendForce>(); }
 
 } // namespace ripstop

@@ -40,4 +40,7 @@ double bendingMoment(const System& system, const State& state, const Bend& spar)
 
 double bendingEnergy(const System& system, const State& state); // J, of all bends
 
+// [particles] N, of all bends: also of those of spars that are solved with their rods.
+std::vector<Vec3> pullsOfBends(const System& system, const State& state);
+
 } // namespace ripstop

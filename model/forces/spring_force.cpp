@@ -134,14 +134,17 @@ double SpringForce::dampingPower(const System& system, const State& state, Threa
     return power;
 }
 
-// Pins work against the springs as the substep has them: the pins have arrived, and all else is
-// where it was at its start.
+// Pins work against the springs as the substep has them: the pins have arrived and are as fast as
+// they came, and all else is where it was at its start.
 double SpringForce::workOfPins(const System& system, const State& state,
                                const MotionBefore& before) const
 {
     const auto isPinned = [&](int particle) { return system.inverseMass[at(particle)] == 0.0; };
     const auto placeOf = [&](int particle) -> Vec3 {
         return isPinned(particle) ? state.position[at(particle)] : before.position[at(particle)];
+    };
+    const auto velocityOf = [&](int particle) -> Vec3 {
+        return isPinned(particle) ? state.velocity[at(particle)] : before.velocity[at(particle)];
     };
     double work = 0.0;
     for (std::size_t i = 0; i < system.springs.size(); ++i) {
@@ -150,7 +153,7 @@ double SpringForce::workOfPins(const System& system, const State& state,
             continue;
         const Vec3 separation = placeOf(spring.b) - placeOf(spring.a);
         const Vec3 was = before.position[at(spring.b)] - before.position[at(spring.a)];
-        const Vec3 apart = before.velocity[at(spring.b)] - before.velocity[at(spring.a)];
+        const Vec3 apart = velocityOf(spring.b) - velocityOf(spring.a);
         work += springTension(spring, separation, apart) * unit(separation).dot(separation - was);
     }
     return work;

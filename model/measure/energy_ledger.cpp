@@ -2,6 +2,7 @@
 // between them, and at the end of the step takes it from the change of energy.
 #include "measure/energy_ledger.h"
 
+#include "forces/bend_force.h"
 #include "measure/diagnostics.h"
 #include "step/inputs.h"
 #include "system/membrane.h"
@@ -32,8 +33,9 @@ bool wantsLedger(const System& system)
                                [](const ProbeSpec& probe) { return isOfLedger(probe.quantity); });
 }
 
-void EnergyLedger::begin(const System& system, const State& state, double h)
+void EnergyLedger::begin(const System& system, const State& state, double h, Integrator integrator)
 {
+    m_integrator = integrator;
     m_work = {};
     m_tears = state.tears.size();
     m_stepStart = state.position;
@@ -54,7 +56,13 @@ void EnergyLedger::look(const System& system, const State& state, Instant& insta
 {
     instant.position.assign(state.position.begin(), state.position.end());
     instant.velocity.assign(state.velocity.begin(), state.velocity.end());
+    instant.looksAhead = m_integrator == Integrator::Bdf2 && state.driftSubstep > 0.0;
     lookAtForces(system, state, instant);
+    const bool mayMovePins = !system.inputs.empty();
+    if (mayMovePins && !system.of<BendLists>().list.empty())
+        instant.bending = pullsOfBends(system, state);
+    else
+        instant.bending.clear();
 }
 
 void EnergyLedger::lookAtForces(const System& system, const State& state, Instant& instant)
@@ -113,6 +121,7 @@ void EnergyLedger::afterSubstep(const System& system, const State& state, double
     m_work.damping += workOfDampers(system, state, h);
     addWorkOfHands(system, state, h);
     m_work.hands += workOnPanels(system, state, h);
+    m_work.hands += workOnBends(system);
     m_contact.clear();
     std::swap(m_before, m_after);
 }
@@ -142,10 +151,14 @@ double EnergyLedger::workOfDampers(const System& system, const State& state, dou
 
 void EnergyLedger::addWorkOfHands(const System& system, const State& state, double h)
 {
+    m_seen = m_before.position;
+    if (m_before.looksAhead)
+        for (std::size_t i = 0; i < m_seen.size(); ++i)
+            if (system.inverseMass[i] > 0.0)
+                m_seen[i] += h * m_before.velocity[i];
     for (const auto& force : m_forces)
         if (force->acts(system, state)) {
-            m_work.hands +=
-                force->workOfPins(system, state, {m_before.position, m_before.velocity});
+            m_work.hands += force->workOfPins(system, state, {m_seen, m_before.velocity});
             m_work.hands += force->workSince(system, state, h);
         }
 }
@@ -174,6 +187,18 @@ double EnergyLedger::workOnPanels(const System& system, const State& state, doub
         for (std::size_t k = 0; k < 3; ++k)
             work -= (0.5 * (first[k] + last[k]) + damping[k]).dot(way[k]);
     }
+    return work;
+}
+
+// J, by what moves pins that bend something in a substep.
+double EnergyLedger::workOnBends(const System& system) const
+{
+    double work = 0.0;
+    for (std::size_t p = 0; p < m_after.bending.size(); ++p)
+        if (system.inverseMass[p] == 0.0)
+            work -= 0.5
+                    * (m_before.bending[p] + m_after.bending[p])
+                          .dot(m_after.position[p] - m_before.position[p]);
     return work;
 }
 

@@ -13,8 +13,8 @@
 // Lubich and Wanner 2006, chapter IX, judge integrators by, for systems that are driven and damped.
 //
 // Limits: rods pull at what is moved with their mean tension over the step, panels with the mean of
-// both ends of the substep and the damping of their way between them, bending is not asked
-// about, and neither is a control that moves what is not pinned. Energy that an edit brings is no
+// both ends of the substep and the damping of their way between them, bends with that mean, and a
+// control that moves what is not pinned is not asked about. Energy that an edit brings is no
 // part of it.
 #pragma once
 
@@ -33,8 +33,9 @@ bool wantsLedger(const System& system); // a probe reads it
 class EnergyLedger final : public SubstepWatch
 {
 public:
-    void begin(const System& system, const State& state, double h); // a step with substeps of h, s
-    void end(const System& system, State& state);                   // after it
+    // Before a step with substeps of h, s, by an integrator that is any but Auto.
+    void begin(const System& system, const State& state, double h, Integrator integrator);
+    void end(const System& system, State& state); // after it
 
     void beforeContact(const System& system, const State& state) override;
     void afterContact(const System& system, const State& state) override;
@@ -47,7 +48,9 @@ private:
         std::vector<Vec3> position; // [particles] m
         std::vector<Vec3> velocity; // [particles] m/s
         std::vector<Vec3> air;      // [particles] N
+        std::vector<Vec3> bending;  // [particles] N, or empty where nothing moves what bends
         double damping = 0.0;       // W, of dampers, at most 0
+        bool looksAhead = false;    // forces see what will be at the end of the substep from here
     };
 
     void look(const System& system, const State& state, Instant& instant);
@@ -56,11 +59,14 @@ private:
     double workOfDampers(const System& system, const State& state, double h) const;
     double workOnRods(const System& system, const State& state) const;
     double workOnPanels(const System& system, const State& state, double h) const;
+    double workOnBends(const System& system) const;
 
     ThreadPool m_alone{1};
     Forces m_forces;
+    Integrator m_integrator = Integrator::SemiImplicitEuler;
     Instant m_before; // at the start of the substep
     Instant m_after;
+    std::vector<Vec3> m_seen;            // [particles] m, where springs have what is not pinned
     std::vector<Vec3> m_beforeContact;   // [particles] m/s
     std::vector<Vec3> m_contact;         // [particles] N s in this substep, or empty
     std::vector<PaddedVec3> m_stepStart; // [particles] m

@@ -3,9 +3,8 @@
 // Torn links and panels that are gone are left out of strains, lengths and areas. reaction() marks
 // the pinned particles of the probe first, then adds up what acts on them: their weight, the
 // tension of links with one marked end (of one with two it cancels itself), the pull of elastic
-// panels and of spars that bend, and a third of the air load of a panel for each marked corner.
-// What holds them is the opposite of that. The bending of cloth is left out, as it is too little to
-// be read.
+// panels and of what bends, and a third of the air load of a panel for each marked corner. What
+// holds them is the opposite of that.
 #include "measure/motion.h"
 
 #include "forces/bend_force.h"
@@ -106,13 +105,11 @@ Vec3 reaction(const ProbeSpec& probe, Readings& readings)
             if (isHeld(corner[i]))
                 load += pulls[i];
     }
-    for (const Bend& bend : system.of<BendLists>().list) {
-        if (!bend.ofSpar)
-            continue;
-        const std::array<Vec3, 3> pulls = pullsOfSpar(system, state, bend);
-        for (std::size_t i = 0; i < 3; ++i)
-            if (isHeld(bend.corner[i]))
-                load += pulls[i];
+    if (!system.of<BendLists>().list.empty()) {
+        const std::vector<Vec3> pulls = pullsOfBends(system, state);
+        for (std::size_t p = 0; p < pulls.size(); ++p)
+            if (held[p])
+                load += pulls[p];
     }
     return -load;
 }

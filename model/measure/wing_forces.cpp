@@ -10,14 +10,18 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// With the corners of the panels for particles where it has none.
+// With the corners of the panels and the ends of the links for particles where it has none.
 ProbeSpec withParticles(const ProbeSpec& probe, const System& system)
 {
     ProbeSpec whole = probe;
-    if (whole.particles.empty())
-        for (const int panel : probe.panels)
-            for (const int corner : system.panels[std::size_t(panel)].corner)
-                whole.particles.push_back(corner);
+    if (!whole.particles.empty())
+        return whole;
+    for (const int panel : probe.panels)
+        for (const int corner : system.panels[std::size_t(panel)].corner)
+            whole.particles.push_back(corner);
+    for (const int link : probe.links)
+        for (const int end : {system.links[std::size_t(link)].a, system.links[std::size_t(link)].b})
+            whole.particles.push_back(end);
     return whole;
 }
 

@@ -242,7 +242,7 @@ bool Simulation::Private::step()
     const std::size_t tears = run.now.tears.size();
     stepper.watch(keepsLedger ? &ledger : nullptr);
     if (keepsLedger)
-        ledger.begin(system(), run.now, substep());
+        ledger.begin(system(), run.now, substep(), stepper.integrator());
     const int substeps = stepper.step(system(), run.now);
     if (keepsLedger)
         ledger.end(system(), run.now);

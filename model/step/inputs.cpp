@@ -45,11 +45,18 @@ void PinWays::note(const System& system, const State& state)
                     m_pins.push_back({p, state.position[p]});
 }
 
+void PinWays::giveVelocities(State& state, double h) const
+{
+    for (const auto& [particle, place] : m_pins)
+        state.velocity[particle] = (state.position[particle] - place) / h;
+}
+
 void PinWays::lookBack(State& state, std::span<PaddedVec3> before, double h) const
 {
     for (const auto& [particle, place] : m_pins) {
         before[particle] = place;
         state.drift[particle] = (state.position[particle] - place) / h;
+        state.velocity[particle] = state.drift[particle];
     }
 }
 

@@ -15,9 +15,9 @@ namespace ripstop {
 // Returns whether a value changed.
 bool moveInputs(const System& system, State& state, double h);
 
-// The way of the pins that inputs move, in one substep. They never have a velocity, and what is
-// damped at them is stretched by their way all the same: without it cloth that is drawn would be
-// damped beside its edge as if the edge stood still and the cloth came back.
+// The way of the pins that inputs move, in one substep. Nothing accelerates them, so this is all
+// that tells how fast they are: to dampers, the air and friction, which would take them for
+// standing still, and to what is damped while it is stretched by their way.
 class PinWays
 {
 public:
@@ -25,6 +25,9 @@ public:
 
     // Before inputs move: where the pins are.
     void note(const System& system, const State& state);
+
+    // After inputs have moved: how fast, m/s, the pins came h seconds long to where they are.
+    void giveVelocities(State& state, double h) const;
 
     // While rods and panels are solved: where the pins were h seconds ago and, as if they came from
     // afar at that speed, how fast. All else sees pins that were there already.

@@ -163,6 +163,8 @@ template <Integrator integrator>
 RIPSTOP_INLINE void foreseeVelocities(const ParticleMotion& m, std::size_t first, std::size_t last)
 {
     for (std::size_t i = first; i < last; ++i) {
+        if (m.inverseMass[i] == 0.0)
+            continue;
         const Pack correction = pack(m.position[i]) - predicted<integrator>(m, i);
         pack(m.velocity[i]) = pack(m.drift[i])
                               + (isZero(correction) ? 0.5 * all(m.h) * pack(m.acceleration[i])

@@ -1,7 +1,6 @@
 // The step, in order: scratch arrays and the plan of Solver::Auto are made to fit the system, gusts
 // advance, and then each substep moves controls, fills accelerations, predicts positions, projects
 // rods, takes the velocities over, resolves contact and judges which links tear.
-//
 // Tensions are taken after the last substep, as the mean of the last few. Every few steps the
 // strain that is left decides the next number of substeps.
 #include "step/stepper.h"
@@ -243,6 +242,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
         shiftRestLengths(system, state, m_restLength);
         task.shifted = true;
     }
+    m_pinWays.giveVelocities(state, h);
     endMoves(system, state, state.time, m_placed);
     m_clock.lap(StepStage::Controls);
     for (const auto& force : m_forces) {

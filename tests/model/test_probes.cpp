@@ -6,6 +6,7 @@
 #include "check/check.h"
 #include "compile/compile.h"
 #include "derived/formula.h"
+#include "model/probe_bench.h"
 #include "registered_test.h"
 #include "simulation/simulation.h"
 
@@ -23,41 +24,6 @@ namespace {
 
 constexpr double g = 9.80665; // m/s^2
 constexpr double degree = std::numbers::pi / 180.0;
-
-class Bench
-{
-public:
-    Scene scene;
-
-    void add(Probe probe)
-    {
-        const Id id = takeId(scene);
-        probe.name = std::to_string(unsigned(id)).insert(0, 1, 'p');
-        m_names.push_back(probe.name);
-        scene.items.push_back({id, probe});
-    }
-
-    // What they read after so many steps, in the order in which they were added.
-    std::vector<double> read(int steps = 0) const
-    {
-        const auto system = compile(scene);
-        if (!system)
-            qFatal("%s", system.message().english().c_str());
-        Simulation simulation(*system);
-        for (int i = 0; i < steps; ++i)
-            simulation.step();
-        const auto frame = simulation.frame();
-        std::vector<double> values;
-        for (const std::string& name : m_names) {
-            const auto at = std::ranges::find(frame->layout->probes, name, &Layout::Probe::name);
-            values.push_back(frame->probe[std::size_t(at - frame->layout->probes.begin())]);
-        }
-        return values;
-    }
-
-private:
-    std::vector<std::string> m_names;
-};
 
 // A square of 2 m x 2 m whose nose points against a wind of 10 m/s along +x, pitched up and banked
 // by these angles (degrees), held at its corners. Air presses across it only.
