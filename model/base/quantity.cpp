@@ -68,6 +68,8 @@ constexpr std::array table{
     QuantityRow{Quantity::WeftStress,      "N/m", Of::Fabric, 1, "Pull of the weft threads of elastic panels per width, the mean by their area at rest."},
     QuantityRow{Quantity::WrinkledShare,   "", Of::Fabric, 1, "Share of the area of elastic panels that is wrinkled or slack."},
     QuantityRow{Quantity::BendingMoment,   "N m", Of::Links, 1, "Of spars, where two links meet; the largest where there are several places."},
+    QuantityRow{Quantity::Camber,          "", Of::Particles, 2, "How deep the fabric is arched between the nose and the tail, over their distance."},
+    QuantityRow{Quantity::CamberPosition,  "", Of::Particles, 2, "Where the fabric is arched deepest between the nose and the tail, from the nose, over their distance."},
 };
 // clang-format on
 

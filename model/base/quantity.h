@@ -69,12 +69,14 @@ enum class Quantity {
     WarpStress,
     WeftStress,
     WrinkledShare, // of the flat area
-    BendingMoment
+    BendingMoment,
+    Camber, // of the section of a sail
+    CamberPosition
 };
 
 // clang-format off
 template <>
-inline constexpr std::array<std::string_view, 59> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 61> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
@@ -86,7 +88,8 @@ inline constexpr std::array<std::string_view, 59> choiceNames<Quantity>{
     "roll",             "heading",        "momentum",         "energy_change",
     "work_of_air",      "work_of_hands",  "work_of_damping",  "work_of_contact", "work_of_tearing",
     "energy_residual",  "formula",        "steps_per_second", "margin",           "fabric_stress",
-    "mean_stress",      "warp_stress",    "weft_stress",      "wrinkled_share", "bending_moment"};
+    "mean_stress",      "warp_stress",    "weft_stress",      "wrinkled_share", "bending_moment",
+    "camber",           "camber_position"};
 // clang-format on
 
 struct QuantityRow

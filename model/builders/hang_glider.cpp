@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace ripstop {
 namespace {
@@ -305,6 +306,45 @@ void addProbes(Scene& scene, Id part)
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
 }
 
+struct OuterChord
+{
+    Id nose;
+    Id tail;
+};
+
+// At two thirds of the right half span.
+OuterChord outerChordOf(const Network& network, const SailFrame& frame)
+{
+    const auto outward = [&](Id node) { return network.position(node).z(); };
+    const auto nearest = [&](const std::vector<Id>& nodes, double place) {
+        return *std::ranges::min_element(nodes, {},
+                                         [&](Id node) { return std::abs(outward(node) - place); });
+    };
+    const double tip = outward(frame.leadingEdges.back());
+    const Id tail = nearest(frame.trailingEdge, 2.0 / 3.0 * tip);
+    return {nearest(frame.leadingEdges, outward(tail)), tail};
+}
+
+// How the sail is twisted and arched, for who looks for it.
+void addProbesOfSail(Scene& scene, const SailFrame& frame, const OuterChord& outer)
+{
+    const auto add = [&](const char* name, Quantity quantity, Id target, Id from) {
+        Probe probe;
+        probe.name = name;
+        probe.quantity = quantity;
+        probe.target = target;
+        probe.from = from;
+        probe.plotted = false;
+        if (quantity == Quantity::Formula)
+            probe.formula = "keel_pitch - outer_pitch";
+        addItem(scene, std::move(probe));
+    };
+    add("keel pitch", Quantity::Pitch, frame.axis.front(), frame.axis.back());
+    add("outer pitch", Quantity::Pitch, outer.nose, outer.tail);
+    add("twist", Quantity::Formula, noId, noId);
+    add("camber", Quantity::Camber, outer.nose, outer.tail);
+}
+
 Result<Scene> buildHangGlider(const Parameters& p)
 {
     Scene scene;
@@ -343,7 +383,12 @@ Result<Scene> buildHangGlider(const Parameters& p)
     addGroup(scene, "rigidity", wing.stiffeners);
     addGroup(scene, "pilot", {wing.pilot});
     addControls(scene, p, wing.pilot, turn.col(0));
+    std::optional<OuterChord> outer;
+    if (!wing.frame.trailingEdge.empty())
+        outer = outerChordOf(network, wing.frame);
     addProbes(scene, network.finish("hang_glider", p));
+    if (outer)
+        addProbesOfSail(scene, wing.frame, *outer);
     return scene;
 }
 

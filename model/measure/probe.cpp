@@ -2,13 +2,15 @@
 //
 // The first functions of Readings compute strains, tensions, loads and energies when they are first
 // asked for, as several probes may share them. value() then goes by the quantity: simple ones are
-// read here, those of motion, attitude, structure and wings in the files of these names. A formula
-// and the steps per second are not a number here, as they need other probes and the clock.
+// read here, those of motion, attitude, sections, structure and wings in the files of these names.
+// A formula and the steps per second are not a number here, as they need other probes and the
+// clock.
 #include "measure/probe.h"
 
 #include "measure/attitude.h"
 #include "measure/diagnostics.h"
 #include "measure/motion.h"
+#include "measure/section.h"
 #include "measure/structure.h"
 #include "measure/wing_forces.h"
 
@@ -297,6 +299,10 @@ double Readings::value(const ProbeSpec& probe)
         return wrinkledShare(probe, *this);
     case Quantity::BendingMoment:
         return bendingMoment(probe, *this);
+    case Quantity::Camber:
+        return camberOf(probe, *this).height;
+    case Quantity::CamberPosition:
+        return camberOf(probe, *this).position;
     case Quantity::Formula:
     case Quantity::StepsPerSecond:
         break; // known when the others are; of the clock, that the runner alone looks at

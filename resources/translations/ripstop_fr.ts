@@ -11463,6 +11463,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Camber</source>
+        <translation>Cambrure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Camber position</source>
+        <translation>Position de la cambrure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Canopies</source>
         <translation>Voilures</translation>
     </message>
@@ -12725,6 +12735,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Hoop mass</source>
         <translation>Masse du cerceau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How deep the fabric is arched between the nose and the tail, over their distance.</source>
+        <translation>Le creux du tissu entre le nez et la queue, rapporté à leur distance.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15860,6 +15875,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Where the cross spar crosses the spine, from 0 at the nose to 1.</source>
         <translation>Où la traverse croise l’épine, de 0 au nez à 1.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the fabric is arched deepest between the nose and the tail, from the nose, over their distance.</source>
+        <translation>Où le tissu est le plus creux entre le nez et la queue, depuis le nez, rapporté à leur distance.</translation>
     </message>
     <message>
         <location filename="tables"/>
