@@ -1,9 +1,11 @@
 // Links that join the same two particles are found by counting sort, in two passes over all links.
 #include "check/network_check.h"
 
+#include "derived/link_stiffness.h"
 #include "derived/thread_fabric.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -32,6 +34,68 @@ void reportDoubles(const Scene& scene, const std::vector<int>& again, const AddF
                         part.name),
                 part.links[std::size_t(*link - start)].id);
         start = end;
+    });
+}
+
+// Rods that never stretch and are held at both ends, at a distance that is not theirs: no solver
+// can make anything of them, and so none tells how far off they are.
+void reportMisfits(const Scene& scene, const ElementIndex& index, const AddFinding& add)
+{
+    struct End
+    {
+        Vec3 position;
+        bool pinned;
+    };
+    std::vector<End> ends; // [particles]
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles)
+            ends.push_back({particle.position, particle.pinned});
+    });
+    static const Material none;
+    const auto isRigid = [&](const Link& link) {
+        const int place = index.material(link.material);
+        const Material& material =
+            place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item);
+        return link.kind == LinkKind::Rod
+               && link.compliance.value_or(rodCompliance(material, link)) == 0.0;
+    };
+    forEachPart(scene, [&](Id, const Part& part) {
+        std::size_t count = 0;
+        double worst = 0.0; // %, strain
+        Id culprit = noId;
+        for (const Link& link : part.links) {
+            const int from = index.particle(link.from), to = index.particle(link.to);
+            if (from < 0 || to < 0 || !ends[std::size_t(from)].pinned
+                || !ends[std::size_t(to)].pinned || !(link.restLength > 0.0) || !isRigid(link))
+                continue;
+            const double stretch =
+                (ends[std::size_t(to)].position - ends[std::size_t(from)].position).norm()
+                - link.restLength;
+            const double strain = 100.0 * std::abs(stretch) / link.restLength;
+            if (isSlack(link.resists, stretch) || !(strain > scene.settings.strainGoal))
+                continue;
+            ++count;
+            if (strain > worst) {
+                worst = strain;
+                culprit = link.id;
+            }
+        }
+        if (count == 0)
+            return;
+        const Message off = Message::number("%.3g", worst);
+        add("misfit", Severity::Warning,
+            count == 1
+                ? Message(
+                    "%1 of %2 never stretches, and the fixed particles at its ends are %3 % "
+                    "off from its length: what it pulls is not known. Give it that length, or "
+                    "a stiffness.",
+                    subjectOf(Kind::Link, culprit), part.name, off)
+                : Message(
+                    "%1 links of %2 never stretch, and the fixed particles at their ends are "
+                    "off from their lengths, at link %3 by %4 %: what they pull is not known. "
+                    "Give them these lengths, or a stiffness.",
+                    count, part.name, std::uint32_t(culprit), off),
+            culprit);
     });
 }
 
@@ -112,6 +176,7 @@ void checkNetwork(const Scene& scene, const ElementIndex& index, const AddFindin
         }
     std::sort(again.begin(), again.end());
     reportDoubles(scene, again, add);
+    reportMisfits(scene, index, add);
     forEachPart(scene, [&](Id, const Part& part) {
         if (part.carrier != FabricKind::Panels)
             return;

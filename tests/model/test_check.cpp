@@ -103,6 +103,8 @@ private slots:
             });
         row("grams for kilograms", warning, 2, "type 47 g/m^2, which is 0.047 kg",
             [](Scene& s) { materialIn(s).arealDensity = 47.0; });
+        row("rod that does not fit", warning, 22, "are 41.4 % off from its length",
+            [](Scene& s) { part(s).particles[1].pinned = part(s).particles[2].pinned = true; });
         row("two of a name", warning, 40, "#2 and #40 are both called fabric",
             [](Scene& s) { addItem(s, Material{"fabric"}); });
         row("storm", warning, 40, "speed limit of 1000 m/s", [](Scene& s) {
