@@ -209,6 +209,9 @@ int judge(const Simulation& simulation, const Json& result, const RunOptions& op
     warnOfOverload(lasting, *frame);
     if (const Message complaint = frame->accuracy.dampingComplaint(); !complaint.empty())
         warn(complaint.english());
+    if (const Message complaint = frame->accuracy.loadComplaint(frame->worstOfRun);
+        !complaint.empty())
+        warn(complaint.english());
     if (const Message complaint = frame->accuracy.complaint(); !complaint.empty()) {
         fail(Inaccurate, complaint);
         if (options.strict)

@@ -121,6 +121,8 @@ Json placesOf(std::span<const LoadedPlace> listed)
                           {"unit", unitOf(place.kind)},
                           {"margin", isJudged ? Json(place.margin()) : Json(nullptr)},
                           {"torn", place.torn},
+                          {"shortfall", place.shortfall},
+                          {"at_least", place.isAtLeast()},
                           {"place", {place.place.x(), place.place.y(), place.place.z()}}});
     }
     return places;
@@ -193,6 +195,14 @@ void printLandings(const Json& landings)
         printReportRow("", "and " + std::to_string(landings.size() - most) + " more: --json");
 }
 
+std::string shortfallWords(const Json& place)
+{
+    const double percent = 100.0 * place["shortfall"].get<double>();
+    return place["at_least"].get<bool>()
+               ? ", or about " + Message::number("%.0f", percent).english() + " % more"
+               : "";
+}
+
 void printWorstMargin(const Json& loads)
 {
     if (loads.is_null())
@@ -201,12 +211,12 @@ void printWorstMargin(const Json& loads)
         const Json& worst = loads["run"].front();
         const std::string kind = worst.contains("panel") ? "panel" : "link";
         const std::string unit = ' ' + worst["unit"].get<std::string>();
-        printReportRow("worst margin", shortNumber(worst["margin"]) + ": "
-                                           + shortNumber(worst["load"]) + unit + " of "
-                                           + shortNumber(worst["strength"]) + unit + " in " + kind
-                                           + ' ' + std::to_string(worst[kind].get<long>()) + " at "
-                                           + shortNumber(worst["time"]) + " s"
-                                           + (worst["torn"].get<bool>() ? ", torn" : ""));
+        printReportRow("worst margin",
+                       shortNumber(worst["margin"]) + ": " + shortNumber(worst["load"]) + unit
+                           + " of " + shortNumber(worst["strength"]) + unit + " in " + kind + ' '
+                           + std::to_string(worst[kind].get<long>()) + " at "
+                           + shortNumber(worst["time"]) + " s"
+                           + (worst["torn"].get<bool>() ? ", torn" : "") + shortfallWords(worst));
     }
     std::string names;
     for (const Json& name : loads.value("without_strength", Json::array()))

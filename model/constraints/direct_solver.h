@@ -95,6 +95,7 @@ public:
     // Whether something met its load in the last project(): a line or a strut, one that resists one
     // way only and stopped its ends (bar.h), or a particle an obstacle.
     bool hasImpact() const;
+    bool hasOneWay() const { return m_hasOneWay; } // lines or struts
 
     // With the obstacles that the task lets it look for.
     std::span<const HeldContact> contacts() const { return m_contacts.list(); }

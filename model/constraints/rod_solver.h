@@ -72,6 +72,7 @@ public:
 
     // Whether a line that is solved directly met its load in the last substep (direct_solver.h).
     bool hasImpact() const { return m_direct.hasImpact(); }
+    bool hasLines() const { return m_direct.hasOneWay(); } // that are solved so
 
 private:
     void average(const RodTask& task, ThreadPool& pool);

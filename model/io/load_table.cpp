@@ -33,7 +33,9 @@ void appendRows(std::string& text, const Scene& scene, const char* of,
             text += ',';
             appendNumber(text, value);
         }
-        text += place.torn ? ",1\n" : ",0\n";
+        text += place.torn ? ",1," : ",0,";
+        appendNumber(text, place.shortfall);
+        text += '\n';
     }
 }
 
@@ -43,7 +45,7 @@ std::optional<Failure> writeLoads(const Scene& scene, const Frame& last,
                                   const std::filesystem::path& file)
 {
     std::string text = "of,rank,time (s),kind,element,part,load,strength,unit,margin,"
-                       "x (m),y (m),z (m),torn\n";
+                       "x (m),y (m),z (m),torn,shortfall\n";
     appendRows(text, scene, "moment", last.worstNow.all());
     appendRows(text, scene, "run", last.worstOfRun.all());
     appendRows(text, scene, "first to break", last.firstBreaks.all());

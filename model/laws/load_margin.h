@@ -58,8 +58,17 @@ struct LoadedPlace
     double time = 0.0;         // s
     Vec3 place = Vec3::Zero(); // m
     bool torn = false;         // by this load
+    double shortfall = 0.0;    // 1, how much higher it may have been (simulation/snatch_loads.h)
+
+    // From which shortfall on a load is not sure enough to be judged by, where it is one at all.
+    static constexpr double mostShortfall = 0.05;
+    static constexpr double leastMargin = 0.001;
 
     double margin() const { return load / strength; } // 1
+    bool isAtLeast() const                            // and may be far more
+    {
+        return shortfall > mostShortfall && margin() > leastMargin && !torn;
+    }
 
     friend bool operator==(const LoadedPlace&, const LoadedPlace&) = default;
 };
@@ -108,6 +117,14 @@ public:
         for (; at != m_places.begin() && (at - 1)->margin() < place.margin(); --at)
             *at = *(at - 1);
         *at = place;
+    }
+
+    // Of the places that were seen to bear most at this time, s, and hold.
+    void noteShortfall(double time, double shortfall)
+    {
+        for (LoadedPlace& place : std::span(m_places).first(m_count))
+            if (place.time == time && !place.torn)
+                place.shortfall = shortfall;
     }
 
     void forget() { m_count = 0; }

@@ -93,23 +93,30 @@ Energies energies(const System& system, const State& state)
     return energies(system, state, restLength);
 }
 
-Energies energies(const System& system, const State& state, std::span<const double> restLength)
+double stretchEnergy(const System& system, const State& state, std::span<const double> restLength)
 {
-    Energies sum;
-    sum.kinetic = kineticEnergy(system, state);
+    double sum = 0.0;
     for (const LinkPlace& link : system.links) { // in the author's order
         if (link.kind == LinkKind::Spring || isTorn(link, state))
             continue;
         const auto index = std::size_t(link.index);
         if (const Rod& rod = system.rods[index]; rod.compliance > 0.0)
-            sum.elastic += elasticEnergy(1.0 / rod.compliance, rod.resists,
-                                         separation(link, state).norm() - restLength[index]);
+            sum += elasticEnergy(1.0 / rod.compliance, rod.resists,
+                                 separation(link, state).norm() - restLength[index]);
     }
     for (const Membrane& membrane : system.membranes)
         if (!state.panelGone[std::size_t(membrane.panel)])
-            sum.elastic +=
+            sum +=
                 membrane.area
                 * tensionIn(system, membrane, cornersOf(system, membrane, state.position)).energy;
+    return sum;
+}
+
+Energies energies(const System& system, const State& state, std::span<const double> restLength)
+{
+    Energies sum;
+    sum.kinetic = kineticEnergy(system, state);
+    sum.elastic = stretchEnergy(system, state, restLength);
     for (const auto& force : knownForces())
         switch (force->kind()) {
         case ForceKind::Elastic:

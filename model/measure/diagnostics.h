@@ -21,11 +21,14 @@ struct Energies
 
 Energies energies(const System& system, const State& state);
 
-// The same without memory of its own.
 //   restLength  [rods]  m, of now
 Energies energies(const System& system, const State& state, std::span<const double> restLength);
 
 double kineticEnergy(const System& system, const State& state); // J, of free particles
+
+// J, in compliant rods and elastic panels. Without memory of its own.
+//   restLength  [rods]  m, of now
+double stretchEnergy(const System& system, const State& state, std::span<const double> restLength);
 
 Vec3 centerOfMass(const System& system, std::span<const PaddedVec3> position); // m, pins included
 Vec3 momentum(const System& system, const State& state); // kg m/s, free particles

@@ -57,6 +57,12 @@ void LoadWatch::look(const System& system, const State& state, std::size_t tears
     offerPlaces(system, state, m_judged, m_ofRun);
 }
 
+bool LoadWatch::hasPeakAt(double time) const
+{
+    return std::ranges::any_of(m_ofRun.all(),
+                               [&](const LoadedPlace& place) { return place.time == time; });
+}
+
 WorstPlaces LoadWatch::now(const System& system, const State& state)
 {
     WorstPlaces worst;

@@ -32,6 +32,11 @@ public:
     //   tearsBefore  it, of the state
     void look(const System& system, const State& state, std::size_t tearsBefore);
 
+    // Whether a place has just been seen to bear more than ever, and how much more it may have
+    // borne.
+    bool hasPeakAt(double time) const;
+    void noteShortfall(double time, double shortfall) { m_ofRun.noteShortfall(time, shortfall); }
+
     // Of the instant, without noting it.
     WorstPlaces now(const System& system, const State& state);
 

@@ -57,4 +57,22 @@ Message RunAccuracy::dampingComplaint() const
                : Message("%1 Take a shorter time step, or more substeps.", told);
 }
 
+Message RunAccuracy::loadComplaint(const WorstPlaces& ofRun) const
+{
+    if (!isMet() || ofRun.all().empty() || !ofRun.all().front().isAtLeast())
+        return {};
+    const LoadedPlace& worst = ofRun.all().front();
+    const Message time = Message::number("%.3g", worst.time);
+    const Message higher = Message::number("%.0f", 100.0 * worst.shortfall);
+    return worst.kind == LoadKind::Cloth
+               ? Message("The worst load of the run, in panel %1 at %2 s, came in a blow of which "
+                         "the time steps took much of the energy: without that it would be about "
+                         "%3 % higher. Take a shorter time step.",
+                         worst.element, time, higher)
+               : Message("The worst load of the run, in link %1 at %2 s, came in a blow of which "
+                         "the time steps took much of the energy: without that it would be about "
+                         "%3 % higher. Take a shorter time step.",
+                         worst.element, time, higher);
+}
+
 } // namespace ripstop

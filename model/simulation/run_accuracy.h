@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/message.h"
+#include "laws/load_margin.h"
 
 #include <cstdint>
 
@@ -46,6 +47,10 @@ struct RunAccuracy
     // The same where it is met, and the steps damp the motion by more than `mostDamping`: forces
     // that are not true come first.
     Message dampingComplaint() const;
+
+    // Likewise, where the worst load of the run came in a blow and may have been far higher; empty
+    // where it is told well, or has broken.
+    Message loadComplaint(const WorstPlaces& ofRun) const;
 };
 
 } // namespace ripstop

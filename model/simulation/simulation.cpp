@@ -14,6 +14,7 @@
 #include "simulation/load_watch.h"
 #include "simulation/probe_reader.h"
 #include "simulation/ramps.h"
+#include "simulation/snatch_loads.h"
 #include "step/stepper.h"
 #include "step/watchdog.h"
 #include "system/moment.h"
@@ -68,6 +69,7 @@ public:
     EnergyLedger ledger;
     RunAccuracy accuracy;
     RecentDamping damping; // that it tells of
+    SnatchLoads snatches;
     LoadWatch loads;
     std::optional<Trouble> trouble;
 
@@ -78,6 +80,7 @@ private:
     void followRamps(double time);
     void forgetAccuracy();
     void noteAccuracy(std::size_t torn); // so many things in this step
+    int advance(bool keepsLedger);
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -241,11 +244,14 @@ bool Simulation::Private::step()
     run.lastGood = run.now;
     const std::size_t tears = run.now.tears.size();
     stepper.watch(keepsLedger ? &ledger : nullptr);
-    if (keepsLedger)
-        ledger.begin(system(), run.now, substep(), stepper.integrator());
-    const int substeps = stepper.step(system(), run.now);
-    if (keepsLedger)
-        ledger.end(system(), run.now);
+    int substeps = advance(keepsLedger);
+    if (snatches.needFinerStep(system(), run.now, stepper)) {
+        run.now = run.lastGood;
+        const int refinement = stepper.refinement();
+        stepper.refine(SnatchLoads::finer * refinement);
+        substeps = advance(keepsLedger);
+        stepper.refine(refinement);
+    }
     trouble = findTrouble(system(), run.lastGood, run.now, substeps);
     if (trouble) {
         ++accuracy.steps; // of which nothing else is true
@@ -254,15 +260,30 @@ bool Simulation::Private::step()
     } else {
         noteAccuracy(run.now.tears.size() - tears);
         loads.look(system(), run.now, tears);
+        snatches.note(system(), stepper);
+        if (loads.hasPeakAt(run.now.time))
+            loads.noteShortfall(run.now.time, snatches.shortfall(system(), run.now));
         derived.followTears(tears, run);
     }
     return !trouble;
+}
+
+// Returns the number of substeps that it took.
+int Simulation::Private::advance(bool keepsLedger)
+{
+    if (keepsLedger)
+        ledger.begin(system(), run.now, substep(), stepper.integrator());
+    const int substeps = stepper.step(system(), run.now);
+    if (keepsLedger)
+        ledger.end(system(), run.now);
+    return substeps;
 }
 
 void Simulation::Private::forgetAccuracy()
 {
     accuracy = {};
     damping = {};
+    snatches = {};
 }
 
 void Simulation::Private::noteAccuracy(std::size_t torn)

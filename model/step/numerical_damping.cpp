@@ -100,6 +100,12 @@ double NumericalDamping::ratio() const
     return turned > 0.0 ? taken / (std::numbers::pi * turned) : 0.0;
 }
 
+void NumericalDamping::add(const NumericalDamping& other, double share)
+{
+    taken += share * other.taken;
+    turned += share * other.turned;
+}
+
 void RecentDamping::add(const NumericalDamping& step, double timeStep)
 {
     constexpr double most = 1.0; // s
@@ -108,29 +114,25 @@ void RecentDamping::add(const NumericalDamping& step, double timeStep)
         m_sums[m_now] = {};
         m_filled = 0.0;
     }
-    m_sums[m_now].taken += step.taken * timeStep;
-    m_sums[m_now].turned += step.turned * timeStep;
+    m_sums[m_now].add(step, timeStep);
     m_filled += timeStep;
 }
 
 double RecentDamping::ratio() const
 {
     NumericalDamping all;
-    for (const NumericalDamping& second : m_sums) {
-        all.taken += second.taken;
-        all.turned += second.turned;
-    }
+    for (const NumericalDamping& second : m_sums)
+        all.add(second, 1.0);
     return all.ratio();
 }
 
 NumericalDamping numericalDampingOf(const System& system, const State& state,
                                     std::span<const PaddedVec3> start,
-                                    std::span<const std::uint32_t> touches, Integrator integrator,
+                                    std::span<const std::uint32_t> touches, StepFormula formula,
                                     double substep, ThreadPool& pool)
 {
-    const bool isBdf2 = integrator == Integrator::Bdf2;
-    const bool isFirst = isBdf2 && state.driftSubstep != substep; // also after an impact
-    if (start.empty() || isFirst)
+    const bool isBdf2 = formula == StepFormula::Bdf2;
+    if (start.empty())
         return {};
     NumericalDamping all;
     inOrderedParts(
@@ -157,10 +159,7 @@ NumericalDamping numericalDampingOf(const System& system, const State& state,
             }
             return part;
         },
-        [&](const NumericalDamping& part) {
-            all.taken += part.taken;
-            all.turned += part.turned;
-        });
+        [&](const NumericalDamping& part) { all.add(part, 1.0); });
     return {all.taken / substep, all.turned / substep};
 }
 

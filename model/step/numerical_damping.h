@@ -35,6 +35,8 @@ struct NumericalDamping
     double turned = 0.0; // the same
 
     double ratio() const; // 1, of the critical; 0 where nothing moves
+
+    void add(const NumericalDamping& other, double share);
 };
 
 // What the steps of the last ten seconds have taken, to a second. What was before is forgotten, so
@@ -51,6 +53,9 @@ private:
     double m_filled = 0.0;                   // s of it
 };
 
+// How a substep came from the velocities at its start.
+enum class StepFormula { Euler, Bdf2 };
+
 // Of the last substep, of which `state` is the end. Particles that have met an obstacle in this
 // step do not count, as impacts take energy from what falls, and neither does motion along rods
 // that never stretch, as far as it is more than their turning takes: how they ring is the solver's,
@@ -60,7 +65,7 @@ private:
 //   touches  [particles] touchOf() of this step, or empty
 NumericalDamping numericalDampingOf(const System& system, const State& state,
                                     std::span<const PaddedVec3> start,
-                                    std::span<const std::uint32_t> touches, Integrator integrator,
+                                    std::span<const std::uint32_t> touches, StepFormula formula,
                                     double substep, ThreadPool& pool);
 
 } // namespace ripstop

@@ -12,7 +12,6 @@
 #include "forces/gusts.h"
 #include "step/inputs.h"
 #include "step/particle_motion.h"
-#include "step/true_swings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +61,8 @@ bool leavesScratch(Integrator integrator)
 int Stepper::step(const System& system, State& state)
 {
     m_clock.start();
+    m_numericalDamping = {};
+    m_hasSnatch = false;
     prepare(system, state);
     const int chosen = chosenSubsteps(system, state);
     const int substeps =
@@ -95,8 +96,8 @@ int Stepper::step(const System& system, State& state)
     m_clock.lap(StepStage::Tensions);
     ++state.step;
     m_accuracy = accuracyOf(system, state, m_heldLength, m_pool, m_reach, m_rods.leastEnergy());
-    m_numericalDamping =
-        numericalDampingOf(system, state, startOf(state), m_touches, m_integrator, h, m_pool);
+    if (m_integrator != Integrator::Bdf2 || m_looksBack)
+        noteDamping(system, state, h, 1.0);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
@@ -112,6 +113,14 @@ std::span<const PaddedVec3> Stepper::startOf(const State& state) const
         return state.velocityBefore;
     return leavesScratch(m_integrator) ? std::span<const PaddedVec3>(m_scratch)
                                        : std::span<const PaddedVec3>();
+}
+
+// Of the substep that has just ended, as a share of the time step.
+void Stepper::noteDamping(const System& system, const State& state, double h, double share)
+{
+    const StepFormula formula = m_looksBack ? StepFormula::Bdf2 : StepFormula::Euler;
+    m_numericalDamping.add(
+        numericalDampingOf(system, state, startOf(state), m_touches, formula, h, m_pool), share);
 }
 
 void Stepper::prepare(const System& system, State& state)
@@ -153,65 +162,6 @@ void Stepper::prepare(const System& system, State& state)
     m_tearsByForce = std::ranges::any_of(system.tearableRods, [&](int rod) {
         return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
     });
-}
-
-int Stepper::substepsOf(const System& system, const State& state) const
-{
-    return chosenSubsteps(system, state) * m_refinement;
-}
-
-double Stepper::fastestTrueSwing(const System& system, const State& state) const
-{
-    if (m_serial != system.serial)
-        return 0.0;
-    const bool held = !system.rods.empty() || !system.membranes.empty();
-    return ripstop::fastestTrueSwing(m_integrator, held,
-                                     system.timeStep / substepsOf(system, state));
-}
-
-int Stepper::chosenSubsteps(const System& system, const State& state) const
-{
-    if (system.solver != Solver::Auto)
-        return system.substeps;
-    const int least = m_planFor.isOf(system) ? m_plan.least : system.substeps;
-    if (state.substeps > 0)
-        return std::max(state.substeps, least);
-    return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForDamping(system, state))
-                                  : system.substeps;
-}
-
-// Sweeps show by their strain when the air asks for more substeps.
-int Stepper::substepsForDamping(const System& system, const State& state) const
-{
-    return m_plan.direct.empty()
-               ? 1
-               : ripstop::substepsForDamping(system, state, dampsImplicitly(system), m_damping);
-}
-
-// Whether what forces take from motion joins the masses (end_loads.h).
-bool Stepper::dampsImplicitly(const System& system) const
-{
-    return system.solver == Solver::Auto && m_plan.together && isImplicit(m_integrator)
-           && system.airDensity > 0.0;
-}
-
-bool Stepper::solvesTogether(const System& system) const
-{
-    return system.solver == Solver::Direct || (system.solver == Solver::Auto && m_plan.together);
-}
-
-// Whether obstacles are solved together with rods: where all rods are, by an integrator that moves
-// particles to where rods put them.
-bool Stepper::solvesContact(const System& system) const
-{
-    return solvesTogether(system) && !system.obstacles.empty()
-           && (isImplicit(m_integrator) || m_integrator == Integrator::SemiImplicitEuler);
-}
-
-void Stepper::adapt(const System& system, State& state, int substeps)
-{
-    state.substeps = std::max(adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system)),
-                              substepsForDamping(system, state));
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -302,22 +252,17 @@ void Stepper::substep(RodTask& task, State& state, double h)
         tearOverloaded(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
                        m_tearing);
     m_clock.lap(StepStage::Tearing);
+    m_looksBack = foresees && !impact;
+    if (isBdf2 && !m_looksBack && state.substep > 0) { // a run begins so without a blow
+        noteDamping(system, state, h, h / system.timeStep);
+        m_hasSnatch |= m_rods.hasLines();
+    }
     const bool waits = isBdf2 && state.driftSubstep < 0.0; // for motion from after an impact alone
     state.driftSubstep = impact ? -h : looksBack(m_integrator) && !waits ? h : 0.0;
     if (m_watch) {
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
     }
-}
-
-// BDF2 begins with implicit Euler, which takes (w h)^2 of the energy of a swing each time. So the
-// first step of a run is cut into many, where all rods stretch: others would only ring in what the
-// solver makes of them.
-bool Stepper::beginsBdf2(const System& system, const State& state) const
-{
-    return m_integrator == Integrator::Bdf2 && solvesTogether(system) && state.step == 0
-           && state.driftSubstep == 0.0
-           && std::ranges::all_of(system.rods, [](const Rod& rod) { return rod.compliance > 0.0; });
 }
 
 // Whether nothing acts that may differ from one substep to the next.

@@ -54,6 +54,7 @@ public:
 
     // Cuts each substep, however long it is chosen, in so many from now on.
     void refine(int times) { m_refinement = times; }
+    int refinement() const { return m_refinement; }
 
     // Lets somebody look at the steps from now on; null stops that.
     void watch(SubstepWatch* watch) { m_watch = watch; }
@@ -72,6 +73,10 @@ public:
     const NumericalDamping& numericalDamping() const { return m_numericalDamping; }
     Integrator integrator() const { return m_integrator; } // any but Auto
 
+    // Whether lines that get tight may be stopping something, so that BDF2 went by Euler's formula
+    // in the last step.
+    bool hasSnatch() const { return m_hasSnatch; }
+
     // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
     // for. The first step of a run may be cut finer.
     int substepsOf(const System& system, const State& state) const;
@@ -88,6 +93,7 @@ public:
 private:
     void prepare(const System& system, State& state);
     std::span<const PaddedVec3> startOf(const State& state) const;
+    void noteDamping(const System& system, const State& state, double h, double share);
     void substep(RodTask& task, State& state, double h);
     RodTask rodTask(const System& system, State& state, double h) const;
     int chosenSubsteps(const System& system, const State& state) const;
@@ -118,6 +124,8 @@ private:
     Integrator m_integrator = Integrator::SemiImplicitEuler; // of this step; any but Auto
     StepAccuracy m_accuracy;
     NumericalDamping m_numericalDamping;
+    bool m_looksBack = false; // the last substep went by the formula of BDF2
+    bool m_hasSnatch = false; // in this step
     PinWays m_pinWays;
     FabricContact m_fabric;
     Forces m_forces;

@@ -4757,6 +4757,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
+        <source>%1 It came in a blow, of which the time steps took much: without that it would be about %2 higher.</source>
+        <translation>%1 Elle est venue d’un choc dont les pas de temps ont pris une bonne part : sans cela elle serait plus haute d’environ %2.</translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
         <source>%1. %2: torn</source>
         <translation>%1. %2 : rompu</translation>
     </message>
@@ -5983,6 +5988,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="network_check.cpp"/>
+        <source>%1 links of %2 never stretch, and the fixed particles at their ends are off from their lengths, at link %3 by %4 %: what they pull is not known. Give them these lengths, or a stiffness.</source>
+        <translation>%1 liaisons de %2 ne s’allongent jamais, et l’écart des particules fixes à leurs bouts diffère de leur longueur, à la liaison %3 de %4 % : leur traction reste inconnue. Donnez-leur ces longueurs, ou une raideur.</translation>
+    </message>
+    <message>
+        <location filename="network_check.cpp"/>
         <source>%1 of %2 has no links and will fly by itself.</source>
         <translation>%1 de %2 n’a pas de liaisons et volera seule.</translation>
     </message>
@@ -5990,6 +6000,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="network_check.cpp"/>
         <source>%1 of %2 joins two particles that are joined already.</source>
         <translation>%1 de %2 joint deux particules déjà jointes.</translation>
+    </message>
+    <message>
+        <location filename="network_check.cpp"/>
+        <source>%1 of %2 never stretches, and the fixed particles at its ends are %3 % off from its length: what it pulls is not known. Give it that length, or a stiffness.</source>
+        <translation>%1 de %2 ne s’allonge jamais, et l’écart des particules fixes à ses bouts diffère de sa longueur de %3 % : sa traction reste inconnue. Donnez-lui cette longueur, ou une raideur.</translation>
     </message>
     <message>
         <location filename="network_check.cpp"/>
@@ -9392,6 +9407,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="smooth.cpp"/>
         <source>Smooth</source>
         <translation>Lisser</translation>
+    </message>
+    <message>
+        <location filename="snatch_loads.cpp"/>
+        <source>The worst load of the run, in link %1 at %2 s, came in a blow of which the time steps took much of the energy: without that it would be about %3 % higher. Take a shorter time step.</source>
+        <translation>La plus grande charge du vol, dans la liaison %1 à %2 s, est venue d’un choc dont les pas de temps ont pris une bonne part de l’énergie : sans cela elle serait plus haute d’environ %3 %. Prenez un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <location filename="snatch_loads.cpp"/>
+        <source>The worst load of the run, in panel %1 at %2 s, came in a blow of which the time steps took much of the energy: without that it would be about %3 % higher. Take a shorter time step.</source>
+        <translation>La plus grande charge du vol, dans le panneau %1 à %2 s, est venue d’un choc dont les pas de temps ont pris une bonne part de l’énergie : sans cela elle serait plus haute d’environ %3 %. Prenez un pas de temps plus court.</translation>
     </message>
     <message>
         <location filename="solid.cpp"/>

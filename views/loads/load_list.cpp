@@ -51,9 +51,15 @@ QString loadWords(LoadKind kind)
 QString helpOfLoad(const LoadedPlace& place)
 {
     const QString words = loadWords(place.kind);
-    return place.strength > 0.0
-               ? LoadList::tr("%1. It can bear %2.").arg(words, amount(place.strength, place.kind))
-               : words;
+    if (!(place.strength > 0.0))
+        return words;
+    const QString help =
+        LoadList::tr("%1. It can bear %2.").arg(words, amount(place.strength, place.kind));
+    return place.isAtLeast()
+               ? LoadList::tr("%1 It came in a blow, of which the time steps took much: without "
+                              "that it would be about %2 higher.")
+                     .arg(help, spokenText(100.0 * place.shortfall, "%", digits))
+               : help;
 }
 
 QIcon signOf(double margin)
@@ -119,7 +125,8 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         item.setSelected(held != 0 && place.element == held);
         const QString whole = describe(scene, {Id{place.element}});
         item.setToolTip(Place, shownAsIs(item.text(Place) + QChar('\n') + whole));
-        item.setText(Load, amount(place.load, place.kind));
+        item.setText(Load, (place.isAtLeast() ? QStringLiteral("\u2265 ") : QString())
+                               + amount(place.load, place.kind));
         item.setToolTip(Load, helpOfLoad(place));
         item.setText(Strength, isJudged ? amount(place.strength, place.kind) : QString());
         item.setText(Time, spokenText(place.time, "s"));

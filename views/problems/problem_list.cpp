@@ -36,14 +36,19 @@ QIcon signOf(Severity severity)
                : tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f));
 }
 
-// At most one, since what is wrong with forces comes first.
-std::vector<Finding> untruthsOf(const RunAccuracy& accuracy)
+// What is wrong with forces comes first, and alone.
+std::vector<Finding> untruthsOf(const Frame& frame)
 {
+    const RunAccuracy& accuracy = frame.accuracy;
     if (!accuracy.isMet())
         return {{Severity::Warning, accuracy.complaint(), {Id{accuracy.worstLink}}}};
+    std::vector<Finding> untruths;
+    if (const Message complaint = accuracy.loadComplaint(frame.worstOfRun); !complaint.empty())
+        untruths.push_back(
+            {Severity::Warning, complaint, {Id{frame.worstOfRun.all().front().element}}});
     if (const Message complaint = accuracy.dampingComplaint(); !complaint.empty())
-        return {{Severity::Warning, complaint, {}}};
-    return {};
+        untruths.push_back({Severity::Warning, complaint, {}});
+    return untruths;
 }
 
 } // namespace
@@ -117,7 +122,7 @@ void ProblemList::noteStop(const QString& why, quint32 culprit)
 void ProblemList::noteFrame(const Frame& frame)
 {
     const bool goesOn = frame.stopped.empty() && !m_stops.empty();
-    std::vector<Finding> untrue = untruthsOf(frame.accuracy);
+    std::vector<Finding> untrue = untruthsOf(frame);
     const bool turned = untrue.size() != m_untrue.size();
     const bool isOld = !untrue.empty() && m_sinceUntrue.hasExpired(oldFigures);
     if (!goesOn && !turned && !isOld)

@@ -1,0 +1,171 @@
+// Loads that come in a blow: what a run tells of them, and of how far that is from what they are.
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "measure/diagnostics.h"
+#include "model/first_item.h"
+#include "registered_test.h"
+#include "simulation/simulation.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+namespace ripstop::test_snatch_loads {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double mass = 0.5; // kg, at the end of the rope
+
+// As a new user builds it: a rope of Dyneema by its upper end, with a weight at the other.
+Scene rope(double angle)
+{
+    const Builder& builder = *findBuilder("rope");
+    constexpr double dyneema = 1.0; // of 1 mm
+    return *build(builder,
+                  newDesign(builder, {{"cord", dyneema}, {"angle", angle}, {"end_mass", mass}}));
+}
+
+WorstPlaces worstOf(const Scene& scene, double seconds)
+{
+    Simulation simulation(*compile(scene));
+    if (!simulation.runUntil(seconds))
+        qFatal("it diverges");
+    return simulation.frame()->worstOfRun;
+}
+
+// What falls from 110 degrees gets tight at 70 again, where a part of its speed v is along the
+// rope. From there k x^2 / 2 = m v^2 / 2 + c x, c being the pull of what goes round and of the
+// weight. Of what swings, the damping ratio z leaves the share that it has where the force of
+// spring and damper on m is largest: where its rate, k x' + d x'', is zero.
+double largestPull(Scene scene)
+{
+    double length = 0.0;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Link& link : part.links)
+            length += link.restLength;
+    });
+    const Material& cord = firstOf<Material>(scene);
+    const double stiffness = *cord.axialStiffness / length;
+    const double g = scene.settings.gravity.norm();
+    const double height = length * std::sin(20.0 * degree);
+    const double speed = std::sqrt(2.0 * g * 2.0 * height);
+    const double along = speed * std::sin(20.0 * degree);
+    const double around = speed * std::cos(20.0 * degree);
+    const double steady = mass * (around * around / length + g * std::sin(20.0 * degree));
+    const double z = 0.5 * std::sqrt(stiffness / mass) * cord.dampingTime;
+    const double root = std::sqrt(1.0 - z * z);
+    const double turned = std::atan((1.0 - 4.0 * z * z) * root / (z * (3.0 - 4.0 * z * z)));
+    return steady
+           + std::sqrt(steady * steady + stiffness * mass * along * along)
+                 * std::exp(-z / root * turned);
+}
+
+} // namespace
+
+class TestSnatchLoads : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // What a new scene gets does the steps of the blow again in finer ones, and says what it
+    // misses.
+    void snatchIsFelt()
+    {
+        const Scene scene = rope(110.0);
+        const WorstPlaces worst = worstOf(scene, 1.0);
+        const LoadedPlace& place = worst.all().front();
+        const double truth = largestPull(scene);
+        QVERIFY2(std::abs(place.load - truth) < 0.15 * truth,
+                 qPrintable(QString("%1, expected %2").arg(place.load).arg(truth)));
+        QVERIFY(place.load * (1.0 + place.shortfall) > truth);
+    }
+
+    // A step that is too long for the blow tells too little, and says by about how much.
+    void shortfallIsTold()
+    {
+        Scene scene = rope(110.0);
+        scene.settings.solver = Solver::Direct; // which takes the steps that it is given
+        scene.settings.integrator = Integrator::Bdf2;
+        scene.settings.substeps = 1;
+        const WorstPlaces worst = worstOf(scene, 1.0);
+        const LoadedPlace& place = worst.all().front();
+        const double truth = largestPull(scene);
+        QVERIFY2(place.load < 0.7 * truth, qPrintable(QString::number(place.load)));
+        const double would = place.load * (1.0 + place.shortfall);
+        QVERIFY2(std::abs(would - truth) < 0.15 * truth,
+                 qPrintable(QString("%1, expected %2").arg(would).arg(truth)));
+        QVERIFY(place.isAtLeast());
+        QVERIFY(RunAccuracy().loadComplaint(worst).english().find("came in a blow")
+                != std::string::npos);
+    }
+
+    // Short steps tell the load as it is, and nothing is wrong with it.
+    void shortStepsTellTheLoad()
+    {
+        Scene scene = rope(110.0);
+        scene.settings.timeStep /= 16.0;
+        const WorstPlaces worst = worstOf(scene, 1.0);
+        const LoadedPlace& place = worst.all().front();
+        const double truth = largestPull(scene);
+        QVERIFY2(std::abs(place.load - truth) < 0.03 * truth,
+                 qPrintable(QString("%1, expected %2").arg(place.load).arg(truth)));
+        QVERIFY2(place.shortfall < 0.02, qPrintable(QString::number(place.shortfall)));
+        QVERIFY(RunAccuracy().loadComplaint(worst).empty());
+    }
+
+    // What swings down on a taut rope pulls with 3 m g less 2 m g by the cosine, and slowly; beside
+    // that it rings by no more than it was let go with, on a rope that was not stretched.
+    void swingHasNone()
+    {
+        const Scene scene = rope(60.0);
+        const WorstPlaces worst = worstOf(scene, 2.0);
+        const LoadedPlace& place = worst.all().front();
+        const double weight = mass * scene.settings.gravity.norm();
+        const double truth = weight * (3.0 - 2.0 * std::cos(60.0 * degree));
+        const double ringing = weight * std::cos(60.0 * degree);
+        QVERIFY2(place.load > 0.99 * truth && place.load < truth + ringing,
+                 qPrintable(QString("%1, expected %2").arg(place.load).arg(truth)));
+        QVERIFY2(place.shortfall < 0.01, qPrintable(QString::number(place.shortfall)));
+        QVERIFY(RunAccuracy().loadComplaint(worst).empty());
+    }
+
+    // From each moment of the blow it goes on as it did.
+    void goesOnAlike()
+    {
+        const auto system = *compile(rope(110.0));
+        Simulation whole(system);
+        QVERIFY(whole.runUntil(0.52));
+        std::vector<State> moments;
+        for (int i = 0; i < 8; ++i) {
+            moments.push_back(whole.state());
+            QVERIFY(whole.step());
+        }
+        QVERIFY(whole.runUntil(0.6));
+        for (const State& moment : moments) {
+            Simulation rest(system, moment);
+            QVERIFY(rest.runUntil(0.6));
+            QCOMPARE(stateHash(rest.state()), stateHash(whole.state()));
+        }
+    }
+
+    // What breaks by a blow needs no more of it, and where nothing bears anything nothing is said.
+    void nothingToSay()
+    {
+        QVERIFY(RunAccuracy().loadComplaint(WorstPlaces()).empty());
+        WorstPlaces worst;
+        LoadedPlace place;
+        place.load = 2.0;
+        place.strength = 1.0;
+        place.shortfall = 1.0;
+        place.torn = true;
+        worst.offer(place);
+        QVERIFY(RunAccuracy().loadComplaint(worst).empty());
+    }
+};
+
+const RegisteredTest registered("test_snatch_loads", runPlain<TestSnatchLoads>);
+
+} // namespace ripstop::test_snatch_loads
+#include "test_snatch_loads.moc"
