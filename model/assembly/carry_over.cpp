@@ -154,17 +154,19 @@ State carryOver(const System& from, const State& state, const System& to, State 
 
     const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);
+    std::vector<std::uint8_t> wasPinned(to.key.size(), 0);
     for (std::size_t j = 0; j < to.key.size(); ++j)
         if (const int match = particleOf(to.key[j]); match >= 0) {
             carryEntry<Per::Particle>(state, match, carried, j);
             placed[j] = 1;
+            wasPinned[j] = from.inverseMass[std::size_t(match)] == 0.0;
         }
     placeTwins(to, carried, placed);
     followNeighbours(to, carried, placed);
     for (std::size_t j = 0; j < to.key.size(); ++j) {
         if (!placed[j]) // this particle has no previous step to remember
             carried.drift[j] = carried.velocityBefore[j] = carried.velocity[j];
-        if (to.inverseMass[j] == 0.0) { // what has just been pinned stops, for the air as well
+        if (to.inverseMass[j] == 0.0 && !wasPinned[j]) { // it stops, for the air as well
             carried.velocity[j].setZero();
             carried.drift[j].setZero();
             carried.velocityBefore[j].setZero();

@@ -20,6 +20,16 @@ Vec3 unit(const Vec3& separation)
     return length > 0.0 ? Vec3(separation / length) : Vec3(Vec3::Zero());
 }
 
+bool movesPins(const System& system)
+{
+    return std::ranges::any_of(system.inputs, [&](const Input& input) {
+        return input.kind == ControlKind::Move
+               && std::ranges::any_of(input.targets, [&](int target) {
+                      return system.inverseMass[at(target)] == 0.0;
+                  });
+    });
+}
+
 } // namespace
 
 bool isOfLedger(Quantity quantity)
@@ -33,9 +43,8 @@ bool wantsLedger(const System& system)
                                [](const ProbeSpec& probe) { return isOfLedger(probe.quantity); });
 }
 
-void EnergyLedger::begin(const System& system, const State& state, double h, Integrator integrator)
+void EnergyLedger::begin(const System& system, const State& state, double h)
 {
-    m_integrator = integrator;
     m_work = {};
     m_tears = state.tears.size();
     m_stepStart = state.position;
@@ -56,10 +65,9 @@ void EnergyLedger::look(const System& system, const State& state, Instant& insta
 {
     instant.position.assign(state.position.begin(), state.position.end());
     instant.velocity.assign(state.velocity.begin(), state.velocity.end());
-    instant.looksAhead = m_integrator == Integrator::Bdf2 && state.driftSubstep > 0.0;
+    instant.hasPast = state.driftSubstep > 0.0;
     lookAtForces(system, state, instant);
-    const bool mayMovePins = !system.inputs.empty();
-    if (mayMovePins && !system.of<BendLists>().list.empty())
+    if (movesPins(system) && !system.of<BendLists>().list.empty())
         instant.bending = pullsOfBends(system, state);
     else
         instant.bending.clear();
@@ -105,7 +113,8 @@ void EnergyLedger::afterSolve(std::span<const HeldContact> contacts, double reac
         m_contact[std::size_t(contact.particle)] += contact.push() / reach;
 }
 
-void EnergyLedger::afterSubstep(const System& system, const State& state, double h)
+void EnergyLedger::afterSubstep(const System& system, const State& state, double h,
+                                Integrator integrator)
 {
     look(system, state, m_after);
     for (std::size_t i = 0; i < state.position.size(); ++i) {
@@ -119,7 +128,7 @@ void EnergyLedger::afterSubstep(const System& system, const State& state, double
     }
     m_work.damping += 0.5 * h * (m_before.damping + m_after.damping);
     m_work.damping += workOfDampers(system, state, h);
-    addWorkOfHands(system, state, h);
+    addWorkOfHands(system, state, h, integrator);
     m_work.hands += workOnPanels(system, state, h);
     m_work.hands += workOnBends(system);
     m_contact.clear();
@@ -149,10 +158,12 @@ double EnergyLedger::workOfDampers(const System& system, const State& state, dou
     return work;
 }
 
-void EnergyLedger::addWorkOfHands(const System& system, const State& state, double h)
+// Forces of BDF2 see what will be at the end of the substep, as far as that is known at its start.
+void EnergyLedger::addWorkOfHands(const System& system, const State& state, double h,
+                                  Integrator integrator)
 {
     m_seen = m_before.position;
-    if (m_before.looksAhead)
+    if (integrator == Integrator::Bdf2 && m_before.hasPast)
         for (std::size_t i = 0; i < m_seen.size(); ++i)
             if (system.inverseMass[i] > 0.0)
                 m_seen[i] += h * m_before.velocity[i];

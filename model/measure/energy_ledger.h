@@ -33,14 +33,14 @@ bool wantsLedger(const System& system); // a probe reads it
 class EnergyLedger final : public SubstepWatch
 {
 public:
-    // Before a step with substeps of h, s, by an integrator that is any but Auto.
-    void begin(const System& system, const State& state, double h, Integrator integrator);
-    void end(const System& system, State& state); // after it
+    void begin(const System& system, const State& state, double h); // a step with substeps of h, s
+    void end(const System& system, State& state);                   // after it
 
     void beforeContact(const System& system, const State& state) override;
     void afterContact(const System& system, const State& state) override;
     void afterSolve(std::span<const HeldContact> contacts, double reach) override;
-    void afterSubstep(const System& system, const State& state, double h) override;
+    void afterSubstep(const System& system, const State& state, double h,
+                      Integrator integrator) override;
 
 private:
     struct Instant
@@ -50,12 +50,12 @@ private:
         std::vector<Vec3> air;      // [particles] N
         std::vector<Vec3> bending;  // [particles] N, or empty where nothing moves what bends
         double damping = 0.0;       // W, of dampers, at most 0
-        bool looksAhead = false;    // forces see what will be at the end of the substep from here
+        bool hasPast = false;       // that BDF2 looks back to
     };
 
     void look(const System& system, const State& state, Instant& instant);
     void lookAtForces(const System& system, const State& state, Instant& instant);
-    void addWorkOfHands(const System& system, const State& state, double h);
+    void addWorkOfHands(const System& system, const State& state, double h, Integrator integrator);
     double workOfDampers(const System& system, const State& state, double h) const;
     double workOnRods(const System& system, const State& state) const;
     double workOnPanels(const System& system, const State& state, double h) const;
@@ -63,7 +63,6 @@ private:
 
     ThreadPool m_alone{1};
     Forces m_forces;
-    Integrator m_integrator = Integrator::SemiImplicitEuler;
     Instant m_before; // at the start of the substep
     Instant m_after;
     std::vector<Vec3> m_seen;            // [particles] m, where springs have what is not pinned

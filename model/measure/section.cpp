@@ -14,7 +14,7 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t at(int index) { return std::size_t(index); }
 
-// The particles of a part, which those that tears have added are none of.
+// The particles of a part. Those that tears have added come last, and count as of the last one.
 class Members
 {
 public:

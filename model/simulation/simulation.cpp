@@ -220,6 +220,7 @@ void Simulation::Private::resume(const Moment& moment)
 void Simulation::Private::place(State state)
 {
     loads.begin();
+    snatches = {};
     const bool ramped = hasRamps(run.now) || hasRamps(state);
     endRamps();
     if (ramped)
@@ -246,11 +247,13 @@ bool Simulation::Private::step()
     stepper.watch(keepsLedger ? &ledger : nullptr);
     int substeps = advance(keepsLedger);
     if (snatches.needFinerStep(system(), run.now, stepper)) {
+        const int chosen = run.now.substeps; // for the next step, which may be a usual one
         run.now = run.lastGood;
         const int refinement = stepper.refinement();
         stepper.refine(SnatchLoads::finer * refinement);
         substeps = advance(keepsLedger);
         stepper.refine(refinement);
+        run.now.substeps = chosen;
     }
     trouble = findTrouble(system(), run.lastGood, run.now, substeps);
     if (trouble) {
@@ -272,7 +275,7 @@ bool Simulation::Private::step()
 int Simulation::Private::advance(bool keepsLedger)
 {
     if (keepsLedger)
-        ledger.begin(system(), run.now, substep(), stepper.integrator());
+        ledger.begin(system(), run.now, substep());
     const int substeps = stepper.step(system(), run.now);
     if (keepsLedger)
         ledger.end(system(), run.now);

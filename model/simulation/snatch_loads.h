@@ -8,9 +8,9 @@
 // shortfall, is told.
 //
 // T of a peak is that of the last eight steps, since a load that takes longer to rise is told well:
-// a quarter of a swing of 32 steps loses less than 1 % of it by BDF2. Both are of the whole scene,
-// and what a design damps by itself is not asked, so that this says how far a load is from sure,
-// more than what it is.
+// a quarter of a swing of 32 steps loses less than 1 % of it by BDF2. T is of all that moves and E
+// of all rods and panels, so that this says how far a load is from sure, more than what it is. It
+// is told with BDF2 alone, which notices when a line gets tight.
 #pragma once
 
 #include "step/stepper.h"
@@ -34,7 +34,8 @@ public:
     // After each step.
     void note(const System& system, const Stepper& stepper);
 
-    // 1, of a load that has its peak at the end of the last step.
+    // 1, of a load that has its peak at the end of the last step; 0 where no line got tight shortly
+    // before, or a run has just begun, as all lines get tight then.
     double shortfall(const System& system, const State& state);
 
 private:
@@ -42,7 +43,8 @@ private:
 
     std::array<double, 8> m_taken{}; // J, by the last steps
     std::size_t m_next = 0;
-    std::vector<double> m_restLength; // [rods] m, of now
+    std::size_t m_sinceSnatch = std::tuple_size_v<decltype(m_taken)>; // steps, no more than these
+    std::vector<double> m_restLength;                                 // [rods] m, of now
 };
 
 } // namespace ripstop

@@ -64,7 +64,8 @@ void PinWays::forget(State& state, std::span<PaddedVec3> before) const
 {
     for (const Pin& pin : m_pins) {
         before[pin.particle] = state.position[pin.particle];
-        state.drift[pin.particle].setZero();
+        state.drift[pin.particle] = state.velocityBefore[pin.particle] =
+            state.velocity[pin.particle];
     }
 }
 

@@ -11,7 +11,8 @@
 namespace ripstop {
 
 // Moves commands and values on by h seconds. Targets of an input that moves are carried along
-// without gaining speed: position and previous position move together.
+// without gaining speed: position and previous position move together. How fast pins are, PinWays
+// says.
 // Returns whether a value changed.
 bool moveInputs(const System& system, State& state, double h);
 
@@ -30,7 +31,8 @@ public:
     void giveVelocities(State& state, double h) const;
 
     // While rods and panels are solved: where the pins were h seconds ago and, as if they came from
-    // afar at that speed, how fast. All else sees pins that were there already.
+    // afar at that speed, how fast. All else sees pins that were there already. What lets one go
+    // then, as a tear does, finds a particle that has always come so fast.
     //   before  [particles] m
     void lookBack(State& state, std::span<PaddedVec3> before, double h) const;
     void forget(State& state, std::span<PaddedVec3> before) const;

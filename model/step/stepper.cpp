@@ -62,6 +62,7 @@ int Stepper::step(const System& system, State& state)
 {
     m_clock.start();
     m_numericalDamping = {};
+    m_noted = 0.0;
     m_hasSnatch = false;
     prepare(system, state);
     const int chosen = chosenSubsteps(system, state);
@@ -97,7 +98,7 @@ int Stepper::step(const System& system, State& state)
     ++state.step;
     m_accuracy = accuracyOf(system, state, m_heldLength, m_pool, m_reach, m_rods.leastEnergy());
     if (m_integrator != Integrator::Bdf2 || m_looksBack)
-        noteDamping(system, state, h, 1.0);
+        noteDamping(system, state, h, 1.0 - m_noted);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
@@ -121,6 +122,7 @@ void Stepper::noteDamping(const System& system, const State& state, double h, do
     const StepFormula formula = m_looksBack ? StepFormula::Bdf2 : StepFormula::Euler;
     m_numericalDamping.add(
         numericalDampingOf(system, state, startOf(state), m_touches, formula, h, m_pool), share);
+    m_noted += share;
 }
 
 void Stepper::prepare(const System& system, State& state)
@@ -260,7 +262,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     const bool waits = isBdf2 && state.driftSubstep < 0.0; // for motion from after an impact alone
     state.driftSubstep = impact ? -h : looksBack(m_integrator) && !waits ? h : 0.0;
     if (m_watch) {
-        m_watch->afterSubstep(system, state, h);
+        m_watch->afterSubstep(system, state, h, m_integrator);
         m_clock.lap(StepStage::Watch);
     }
 }

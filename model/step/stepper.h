@@ -34,7 +34,10 @@ public:
     // Contacts that were solved together with rods, before velocities follow; `reach` as
     // RodTask::h.
     virtual void afterSolve(std::span<const HeldContact> contacts, double reach) = 0;
-    virtual void afterSubstep(const System& system, const State& state, double h) = 0; // h in s
+    //   h           s
+    //   integrator  that went so far, any but Auto
+    virtual void afterSubstep(const System& system, const State& state, double h,
+                              Integrator integrator) = 0;
 };
 
 // Advances a State by one time step of its System. It holds scratch arrays only: two steppers
@@ -124,6 +127,7 @@ private:
     Integrator m_integrator = Integrator::SemiImplicitEuler; // of this step; any but Auto
     StepAccuracy m_accuracy;
     NumericalDamping m_numericalDamping;
+    double m_noted = 0.0;     // 1, of this step, by noteDamping()
     bool m_looksBack = false; // the last substep went by the formula of BDF2
     bool m_hasSnatch = false; // in this step
     PinWays m_pinWays;

@@ -105,6 +105,46 @@ private slots:
                  told(work.damping, -0.5 * given));
     }
 
+    // The ledger of what goes on from a moment is that of the whole.
+    void ledgerGoesOnAlike()
+    {
+        System system = emptySystem(1e-3, Integrator::Bdf2);
+        addPin(system, Vec3::Zero());
+        addParticle(system, {-1.0, 0.0, 0.0}, 2.0);
+        addSpring(system, 0, 1, 1.0, 1000.0, 50.0);
+        system.inputs = {{Key(90), ControlKind::Move, Vec3::UnitX(), 100.0, 0.5, 0.5, {0}}};
+        askForLedger(system);
+        finish(system);
+        const auto shared = std::make_shared<const System>(system);
+        Simulation whole(shared);
+        QVERIFY(whole.runUntil(0.1));
+        Simulation rest(shared, whole.state());
+        QVERIFY(whole.runUntil(0.2) && rest.runUntil(0.2));
+        QVERIFY(whole.state().work == rest.state().work);
+    }
+
+    // A pin that is let go while it moves flies on as it came.
+    void fliesOnWhenLetGo_data() { towsByADamper_data(); }
+    void fliesOnWhenLetGo()
+    {
+        QFETCH(Integrator, integrator);
+        const double h = 1e-3, speed = 0.5;
+        System system = emptySystem(h, integrator);
+        addPin(system, Vec3::Zero());
+        system.inputs = {{Key(90), ControlKind::Move, Vec3::UnitX(), 100.0, speed, speed, {0}}};
+        System free = system;
+        free.inverseMass[0] = 1.0;
+        free.inputs[0].automaticRate = 0.0;
+        finish(system);
+        finish(free);
+        const State held = run(system, system.start, 100);
+        const State state = run(free, held, 100);
+        QVERIFY2(isNear(state.velocity[0], {speed, 0.0, 0.0}, 1e-9),
+                 told(state.velocity[0], {speed, 0.0, 0.0}));
+        QVERIFY2(isNear(state.position[0], {200.0 * h * speed, 0.0, 0.0}, 1e-9),
+                 told(state.position[0], {200.0 * h * speed, 0.0, 0.0}));
+    }
+
     // What moves through still air is loaded as what stands in the wind.
     void meetsAirAsItMoves()
     {

@@ -131,6 +131,17 @@ private slots:
         QVERIFY(RunAccuracy().loadComplaint(worst).empty());
     }
 
+    // Steps that damp by turning it are no blow either.
+    void swingHasNoneByEuler()
+    {
+        Scene scene = rope(60.0);
+        scene.settings.integrator = Integrator::SemiImplicitEuler;
+        scene.settings.substeps = 1;
+        const WorstPlaces worst = worstOf(scene, 2.0);
+        QCOMPARE(worst.all().front().shortfall, 0.0);
+        QVERIFY(RunAccuracy().loadComplaint(worst).empty());
+    }
+
     // From each moment of the blow it goes on as it did.
     void goesOnAlike()
     {
