@@ -2,6 +2,7 @@
 #include "check/network_check.h"
 
 #include "derived/link_stiffness.h"
+#include "derived/material_of.h"
 #include "derived/thread_fabric.h"
 
 #include <algorithm>
@@ -51,11 +52,8 @@ void reportMisfits(const Scene& scene, const ElementIndex& index, const AddFindi
         for (const Particle& particle : part.particles)
             ends.push_back({particle.position, particle.pinned});
     });
-    static const Material none;
     const auto isRigid = [&](const Link& link) {
-        const int place = index.material(link.material);
-        const Material& material =
-            place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item);
+        const Material& material = materialOf(scene, index, link.material);
         return link.kind == LinkKind::Rod
                && link.compliance.value_or(rodCompliance(material, link)) == 0.0;
     };

@@ -4,6 +4,7 @@
 
 #include "derived/bending.h"
 #include "derived/link_stiffness.h"
+#include "derived/material_of.h"
 #include "laws/step_limit.h"
 
 #include <algorithm>
@@ -66,10 +67,7 @@ double longestSubstep(const Scene& scene)
 
 SpringNumbers numbersOf(const Scene& scene, const ElementIndex& index, const Link& link)
 {
-    static const Material none;
-    const int place = index.material(link.material);
-    return springNumbers(
-        link, place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item));
+    return springNumbers(link, materialOf(scene, index, link.material));
 }
 
 std::vector<Sums> sumsOfSprings(const Scene& scene, const ElementIndex& index, bool onlyDampers)

@@ -10,6 +10,7 @@
 #include "compile/resolve.h"
 #include "constraints/rod_order.h"
 #include "derived/flat_panel.h"
+#include "derived/material_of.h"
 
 #include <algorithm>
 #include <span>

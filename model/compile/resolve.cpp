@@ -342,13 +342,6 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFa
     takeTear(material, stuff, factors, rod.tear);
 }
 
-const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id)
-{
-    static const Material none;
-    const int place = index.material(id);
-    return place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item);
-}
-
 Winds windsOf(const Scene& scene)
 {
     Winds winds;

@@ -45,9 +45,6 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFa
 void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFactors& factors,
                   Rod& rod);
 
-// The material, or default numbers when there is none.
-const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id);
-
 struct Winds
 {
     Vec3 uniform = Vec3::Zero();   // m/s

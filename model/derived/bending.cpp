@@ -1,5 +1,7 @@
 #include "derived/bending.h"
 
+#include "derived/material_of.h"
+
 #include <algorithm>
 
 namespace ripstop {
@@ -15,10 +17,7 @@ bool isLimp(const Scene& scene)
 
 Bending bendingOf(const Scene& scene, const ElementIndex& index, Id id)
 {
-    const int place = index.material(id);
-    if (place < 0)
-        return {};
-    const Material& m = std::get<Material>(scene.items[std::size_t(place)].item);
+    const Material& m = materialOf(scene, index, id);
     return {m.bendingStiffness, m.flexuralRigidity};
 }
 

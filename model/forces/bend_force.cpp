@@ -247,14 +247,21 @@ std::vector<Vec3> pullsOfBends(const System& system, const State& state)
     bends.size(lists);
     ThreadPool alone(1);
     fillBends(system, state, alone, bends);
-    for (std::size_t i = 0; i < lists.panels.size(); ++i)
+    const auto add = [&](const auto& corner, const auto* load) {
         for (std::size_t k = 0; k < 3; ++k)
-            pulls[std::size_t(lists.panels[i].corner[k])] += bends.load[3 * i + k];
-    for (const Bend& spar : lists.ofSpars()) {
-        const std::array<Vec3, 3> ofSpar = pullsOfSpar(system, state, spar);
-        for (std::size_t k = 0; k < 3; ++k)
-            pulls[std::size_t(spar.corner[k])] += ofSpar[k];
+            pulls[std::size_t(corner[k])] += load[k];
+    };
+    const PaddedVec3* load = bends.load.data();
+    for (const BentPanel& panel : lists.panels) {
+        add(panel.corner, load);
+        load += 3;
     }
+    for (const Bend& spar : lists.spars()) {
+        add(spar.corner, load);
+        load += 3;
+    }
+    for (const Bend& spar : lists.withRods())
+        add(spar.corner, pullsOfSpar(system, state, spar).data());
     return pulls;
 }
 

@@ -53,10 +53,10 @@ void PinWays::giveVelocities(State& state, double h) const
 
 void PinWays::lookBack(State& state, std::span<PaddedVec3> before, double h) const
 {
+    giveVelocities(state, h);
     for (const auto& [particle, place] : m_pins) {
         before[particle] = place;
-        state.drift[particle] = (state.position[particle] - place) / h;
-        state.velocity[particle] = state.drift[particle];
+        state.drift[particle] = state.velocity[particle];
     }
 }
 

@@ -29,6 +29,19 @@ Control moving(std::vector<Id> targets, const Vec3& axis, double speed, double l
     return control;
 }
 
+// A weight that is towed along x by a damped spring.
+System towed(Integrator integrator, double h, double mass, double speed)
+{
+    System system = emptySystem(h, integrator);
+    addPin(system, Vec3::Zero());
+    addParticle(system, {-1.0, 0.0, 0.0}, mass);
+    addSpring(system, 0, 1, 1.0, 1000.0, 50.0);
+    system.inputs = {{Key(90), ControlKind::Move, Vec3::UnitX(), 100.0, speed, speed, {0}}};
+    askForLedger(system);
+    finish(system);
+    return system;
+}
+
 // A plate and a line that are held across +x.
 Bench plateAndLine()
 {
@@ -82,14 +95,7 @@ private slots:
     {
         QFETCH(Integrator, integrator);
         const double h = 1e-3, mass = 2.0, speed = 0.5;
-        System system = emptySystem(h, integrator);
-        addPin(system, Vec3::Zero());
-        addParticle(system, {-1.0, 0.0, 0.0}, mass);
-        addSpring(system, 0, 1, 1.0, 1000.0, 50.0);
-        system.inputs = {{Key(90), ControlKind::Move, Vec3::UnitX(), 100.0, speed, speed, {0}}};
-        askForLedger(system);
-        finish(system);
-        Simulation simulation(std::make_shared<const System>(system));
+        Simulation simulation(std::make_shared<const System>(towed(integrator, h, mass, speed)));
         QVERIFY(simulation.runUntil(4.0));
         const State& state = simulation.state();
         QVERIFY(isNear(state.velocity[0], {speed, 0.0, 0.0}, 1e-9));
@@ -108,14 +114,7 @@ private slots:
     // The ledger of what goes on from a moment is that of the whole.
     void ledgerGoesOnAlike()
     {
-        System system = emptySystem(1e-3, Integrator::Bdf2);
-        addPin(system, Vec3::Zero());
-        addParticle(system, {-1.0, 0.0, 0.0}, 2.0);
-        addSpring(system, 0, 1, 1.0, 1000.0, 50.0);
-        system.inputs = {{Key(90), ControlKind::Move, Vec3::UnitX(), 100.0, 0.5, 0.5, {0}}};
-        askForLedger(system);
-        finish(system);
-        const auto shared = std::make_shared<const System>(system);
+        const auto shared = std::make_shared<const System>(towed(Integrator::Bdf2, 1e-3, 2.0, 0.5));
         Simulation whole(shared);
         QVERIFY(whole.runUntil(0.1));
         Simulation rest(shared, whole.state());

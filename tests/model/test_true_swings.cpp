@@ -80,6 +80,17 @@ Swing swingOf(Integrator integrator, bool held, double frequency)
     return swingOf(way, frequency);
 }
 
+double dampingOf(std::complex<double> root) { return -std::log(std::abs(root)) / std::arg(root); }
+
+// Of a swing by the angle w h in a substep, 1: see measuresItsDamping().
+double dampingOfEuler(double angle) { return dampingOf(1.0 / std::complex(1.0, -angle)); }
+
+double dampingOfBdf2(double angle)
+{
+    const std::complex a(3.0, -2.0 * angle); // (3/2 - i w h) r^2 - 2 r + 1/2 = 0
+    return dampingOf((2.0 + std::sqrt(4.0 - a)) / a);
+}
+
 // What so many steps say that they damp.
 double ratioOf(const System& system, int steps)
 {
@@ -142,18 +153,12 @@ private slots:
         QTest::addColumn<bool>("held");
         QTest::addColumn<double>("angle"); // w h, rad
         QTest::addColumn<double>("ratio");
-        const auto ratioFrom = [](std::complex<double> root) {
-            return -std::log(std::abs(root)) / std::arg(root);
-        };
-        const auto euler = [&](double angle) { return ratioFrom(1.0 / std::complex(1.0, -angle)); };
-        const auto bdf2 = [&](double angle) {
-            const std::complex a(3.0, -2.0 * angle); // (3/2 - i w h) r^2 - 2 r + 1/2 = 0
-            return ratioFrom((2.0 + std::sqrt(4.0 - a)) / a);
-        };
-        QTest::newRow("Euler") << Integrator::SemiImplicitEuler << true << 0.05 << euler(0.05);
-        QTest::newRow("implicit Euler") << Integrator::ImplicitEuler << true << 0.05 << euler(0.05);
-        QTest::newRow("BDF2") << Integrator::Bdf2 << true << 0.1 << bdf2(0.1);
-        QTest::newRow("BDF2, faster") << Integrator::Bdf2 << true << 0.2 << bdf2(0.2);
+        QTest::newRow("Euler") << Integrator::SemiImplicitEuler << true << 0.05
+                               << dampingOfEuler(0.05);
+        QTest::newRow("implicit Euler")
+            << Integrator::ImplicitEuler << true << 0.05 << dampingOfEuler(0.05);
+        QTest::newRow("BDF2") << Integrator::Bdf2 << true << 0.1 << dampingOfBdf2(0.1);
+        QTest::newRow("BDF2, faster") << Integrator::Bdf2 << true << 0.2 << dampingOfBdf2(0.2);
         QTest::newRow("a spring") << Integrator::SemiImplicitEuler << false << 0.05 << 0.0;
     }
 
@@ -183,9 +188,7 @@ private slots:
         addParticle(system, {radius, 0.0, 0.0}, 1.0, {0.0, 0.0, omega * radius});
         addRod(system, 0, bob, length, 1.0 / (omega * omega));
         finish(system);
-        const std::complex a(3.0, -2.0 * angle); // as above
-        const std::complex root = (2.0 + std::sqrt(4.0 - a)) / a;
-        const double ratio = -std::log(std::abs(root)) / std::arg(root);
+        const double ratio = dampingOfBdf2(angle);
         const double got = ratioOf(system, int(10.0 * std::numbers::pi / angle));
         QVERIFY2(std::abs(got - ratio) <= 0.05 * ratio, qPrintable(QString::number(got)));
     }
