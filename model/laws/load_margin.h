@@ -60,13 +60,13 @@ struct LoadedPlace
     bool torn = false;         // by this load
     double shortfall = 0.0;    // 1, how much higher it may have been (simulation/snatch_loads.h)
 
-    // From which shortfall on a load is not sure enough to be judged by, where it is one at all.
-    static constexpr double mostShortfall = 0.05;
-    static constexpr double leastMargin = 0.001;
-
     double margin() const { return load / strength; } // 1
-    bool isAtLeast() const                            // and may be far more
+
+    // Whether it may be so much more that it is not sure enough to be judged by.
+    bool isAtLeast() const
     {
+        constexpr double mostShortfall = 0.05;
+        constexpr double leastMargin = 0.001; // below which it is no load that counts
         return shortfall > mostShortfall && margin() > leastMargin && !torn;
     }
 
@@ -119,11 +119,11 @@ public:
         *at = place;
     }
 
-    // Of the places that were seen to bear most at this time, s, and hold.
-    void noteShortfall(double time, double shortfall)
+    // Of the places that were seen to bear most after this time, s, and hold.
+    void noteShortfall(double after, double shortfall)
     {
         for (LoadedPlace& place : std::span(m_places).first(m_count))
-            if (place.time == time && !place.torn)
+            if (place.time > after && !place.torn)
                 place.shortfall = shortfall;
     }
 

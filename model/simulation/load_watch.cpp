@@ -45,6 +45,13 @@ bool isAsNoted(const System& system, const JudgedPlaces& judged, const LoadedPla
 
 } // namespace
 
+void LoadWatch::afterSubstep(const System& system, const State& state, double /*h*/,
+                             Integrator /*integrator*/)
+{
+    prepare(system, state);
+    offerPlaces(system, state, m_judged, m_ofStep);
+}
+
 void LoadWatch::look(const System& system, const State& state, std::size_t tearsBefore)
 {
     prepare(system, state);
@@ -54,13 +61,16 @@ void LoadWatch::look(const System& system, const State& state, std::size_t tears
             m_ofRun.offer(place);
         m_firstBreaks.add(place);
     }
+    for (const LoadedPlace& place : m_ofStep.all())
+        m_ofRun.offer(place);
+    m_ofStep.forget();
     offerPlaces(system, state, m_judged, m_ofRun);
 }
 
-bool LoadWatch::hasPeakAt(double time) const
+bool LoadWatch::hasPeakAfter(double time) const
 {
     return std::ranges::any_of(m_ofRun.all(),
-                               [&](const LoadedPlace& place) { return place.time == time; });
+                               [&](const LoadedPlace& place) { return place.time > time; });
 }
 
 WorstPlaces LoadWatch::now(const System& system, const State& state)

@@ -1,21 +1,19 @@
 // The places of a run that were nearest to breaking so far, those that are now, and those that
 // broke first.
 //
-// Called after each step, on the thread that steps; it looks and changes nothing. What has no
-// strength costs it nothing.
+// Called after each step, on the thread that steps, and where peaks may lie within a step after
+// each substep too; it looks and changes nothing. What has no strength costs it nothing.
 #pragma once
 
 #include "laws/load_margin.h"
 #include "measure/margins.h"
+#include "step/stepper.h"
 
 #include <cstdint>
 
 namespace ripstop {
 
-struct State;
-struct System;
-
-class LoadWatch
+class LoadWatch final : public SubstepWatch
 {
 public:
     // A new run, or a moment of another one: nothing is known of what was before it.
@@ -28,14 +26,20 @@ public:
     // The system was changed in place, maybe in what has a strength or belongs to which line.
     void edited() { m_isKnown = false; }
 
+    // Of the substeps from now on, until look() takes them over: those of a step that fails are
+    // nobody's.
+    void beginStep() { m_ofStep.forget(); }
+    void afterSubstep(const System& system, const State& state, double h,
+                      Integrator integrator) override;
+
     // After each step.
     //   tearsBefore  it, of the state
     void look(const System& system, const State& state, std::size_t tearsBefore);
 
-    // Whether a place has just been seen to bear more than ever, and how much more it may have
-    // borne.
-    bool hasPeakAt(double time) const;
-    void noteShortfall(double time, double shortfall) { m_ofRun.noteShortfall(time, shortfall); }
+    // Whether a place has been seen to bear more than ever after this time, s, and how much more it
+    // may have borne.
+    bool hasPeakAfter(double time) const;
+    void noteShortfall(double after, double shortfall) { m_ofRun.noteShortfall(after, shortfall); }
 
     // Of the instant, without noting it.
     WorstPlaces now(const System& system, const State& state);
@@ -51,6 +55,7 @@ private:
     void judge(const System& system, const State& state);
     void dropOthers(const System& system);
 
+    WorstPlaces m_ofStep; // by substeps
     WorstPlaces m_ofRun;
     FirstBreaks m_firstBreaks;
     bool m_isKnown = false; // what is judged of the system with these serials

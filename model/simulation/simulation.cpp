@@ -74,13 +74,15 @@ public:
     std::optional<Trouble> trouble;
 
 private:
+    enum class Peaks { AtEnd, Within }; // where loads are looked for in a step
+
     std::optional<NotedNumbers> numbersBeforeEdit() const;
     void rampFrom(const std::optional<NotedNumbers>& noted);
     std::shared_ptr<const System> endRamps();
     void followRamps(double time);
     void forgetAccuracy();
     void noteAccuracy(std::size_t torn); // so many things in this step
-    int advance(bool keepsLedger);
+    int advance(bool keepsLedger, Peaks peaks);
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -244,14 +246,13 @@ bool Simulation::Private::step()
         run.now.work.hands += energies(system(), run.now).total() - energy;
     run.lastGood = run.now;
     const std::size_t tears = run.now.tears.size();
-    stepper.watch(keepsLedger ? &ledger : nullptr);
-    int substeps = advance(keepsLedger);
-    if (snatches.needFinerStep(system(), run.now, stepper)) {
+    int substeps = advance(keepsLedger, Peaks::AtEnd);
+    if (snatches.needFinerStep(system(), run.lastGood, run.now, stepper)) {
         const int chosen = run.now.substeps; // for the next step, which may be a usual one
         run.now = run.lastGood;
         const int refinement = stepper.refinement();
         stepper.refine(SnatchLoads::finer * refinement);
-        substeps = advance(keepsLedger);
+        substeps = advance(keepsLedger, Peaks::Within);
         stepper.refine(refinement);
         run.now.substeps = chosen;
     }
@@ -263,19 +264,27 @@ bool Simulation::Private::step()
     } else {
         noteAccuracy(run.now.tears.size() - tears);
         loads.look(system(), run.now, tears);
-        snatches.note(system(), stepper);
-        if (loads.hasPeakAt(run.now.time))
-            loads.noteShortfall(run.now.time, snatches.shortfall(system(), run.now));
+        snatches.note(system(), run.lastGood, run.now, stepper);
+        if (loads.hasPeakAfter(run.lastGood.time))
+            loads.noteShortfall(run.lastGood.time,
+                                snatches.shortfall(system(), run.lastGood, run.now));
         derived.followTears(tears, run);
     }
     return !trouble;
 }
 
 // Returns the number of substeps that it took.
-int Simulation::Private::advance(bool keepsLedger)
+int Simulation::Private::advance(bool keepsLedger, Peaks peaks)
 {
-    if (keepsLedger)
+    stepper.stopWatches();
+    if (keepsLedger) {
         ledger.begin(system(), run.now, substep());
+        stepper.watch(ledger);
+    }
+    if (peaks == Peaks::Within) {
+        loads.beginStep();
+        stepper.watch(loads);
+    }
     const int substeps = stepper.step(system(), run.now);
     if (keepsLedger)
         ledger.end(system(), run.now);

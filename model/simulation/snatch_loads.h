@@ -3,9 +3,14 @@
 //
 // The energy of what moves becomes that of what stretches there, E, and the load grows with its
 // root. What the steps take on the way (step/numerical_damping.h), T, is missing from it: the load
-// would be sqrt(1 + T / E) times as high. So a step is done again in finer ones where a line got
-// tight and T is a part of E that counts, and what is missing from a peak all the same, its
-// shortfall, is told.
+// would be sqrt(1 + T / E) times as high. And of a load that rises and falls within a few steps,
+// their ends miss the peak. So steps of a blow are done again in finer ones, where T is a part of
+// E that counts or what lines hold changes by a fifth in a step, and loads are looked at within
+// them. What is missing from a peak all the same, its shortfall, is told.
+//
+// A blow is where a line has got tight and stopped something within a substep, or where lines hold
+// more than the steps take: of what they take while lines hold next to nothing, no line is the
+// cause. All this is seen in the step alone, so that a run goes on alike from each moment.
 //
 // T of a peak is that of the last eight steps, since a load that takes longer to rise is told well:
 // a quarter of a swing of 32 steps loses less than 1 % of it by BDF2. T is of all that moves and E
@@ -24,27 +29,33 @@ namespace ripstop {
 class SnatchLoads
 {
 public:
-    // In how many each substep is cut where it is too long for a line that gets tight.
+    // In how many each substep of a blow is cut.
     static constexpr int finer = 8;
 
-    // Whether it was, in the last step, of which this is the end. Only Solver::Auto is asked, as
-    // others do what they are told.
-    bool needFinerStep(const System& system, const State& state, const Stepper& stepper);
+    // Whether they were too long in the last step, which went from one state to the other. Only
+    // Solver::Auto is asked, as others do what they are told.
+    bool needFinerStep(const System& system, const State& before, const State& after,
+                       const Stepper& stepper);
 
     // After each step.
-    void note(const System& system, const Stepper& stepper);
+    void note(const System& system, const State& before, const State& after,
+              const Stepper& stepper);
 
-    // 1, of a load that has its peak at the end of the last step; 0 where no line got tight shortly
-    // before, or a run has just begun, as all lines get tight then.
-    double shortfall(const System& system, const State& state);
+    // 1, of a load that has its peak in the last step; 0 where there was no blow shortly before, or
+    // a run has just begun, as all lines get tight then.
+    double shortfall(const System& system, const State& before, const State& after);
 
 private:
-    double stretchOf(const System& system, const State& state); // J
+    bool isFastBlow(const System& system, const State& before, const State& after,
+                    const Stepper& stepper);
+    double stretchOf(const System& system, const State& state);      // J, of all
+    double stretchOfLines(const System& system, const State& state); // J
+    std::span<const double> lengths(const System& system, const State& state);
 
     std::array<double, 8> m_taken{}; // J, by the last steps
     std::size_t m_next = 0;
-    std::size_t m_sinceSnatch = std::tuple_size_v<decltype(m_taken)>; // steps, no more than these
-    std::vector<double> m_restLength;                                 // [rods] m, of now
+    std::size_t m_sinceBlow = std::tuple_size_v<decltype(m_taken)>; // steps, no more than these
+    std::vector<double> m_restLength;                               // [rods] m, scratch
 };
 
 } // namespace ripstop

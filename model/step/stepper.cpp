@@ -235,16 +235,16 @@ void Stepper::substep(RodTask& task, State& state, double h)
     }
     move(ParticlePass::FollowRods, system, state, h);
     m_clock.lap(StepStage::Motion);
-    if (m_watch)
-        m_watch->beforeContact(system, state);
+    for (SubstepWatch* const watch : m_watches)
+        watch->beforeContact(system, state);
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
     if (solvesContact(system))
         followHeldContacts(system, state, m_rods.contacts(), m_placed, h, m_held, m_touches);
     resolveContacts(system, state, m_before, m_placed, h, m_pool, m_touches, m_held);
-    if (m_watch) {
-        m_watch->afterContact(system, state);
-        m_watch->afterSolve(m_rods.contacts(), task.h);
+    for (SubstepWatch* const watch : m_watches) {
+        watch->afterContact(system, state);
+        watch->afterSolve(m_rods.contacts(), task.h);
     }
     keepOnGuides(system, m_before, state);
     if (isBdf2)
@@ -261,10 +261,12 @@ void Stepper::substep(RodTask& task, State& state, double h)
     }
     const bool waits = isBdf2 && state.driftSubstep < 0.0; // for motion from after an impact alone
     state.driftSubstep = impact ? -h : looksBack(m_integrator) && !waits ? h : 0.0;
-    if (m_watch) {
-        m_watch->afterSubstep(system, state, h, m_integrator);
-        m_clock.lap(StepStage::Watch);
-    }
+    if (m_watches.empty())
+        return;
+    m_rods.takeDirectTensions(state.rodTension);
+    for (SubstepWatch* const watch : m_watches)
+        watch->afterSubstep(system, state, h, m_integrator);
+    m_clock.lap(StepStage::Watch);
 }
 
 // Whether nothing acts that may differ from one substep to the next.

@@ -24,16 +24,17 @@
 
 namespace ripstop {
 
-// Looks at the state within a step, and changes nothing.
+// Looks at the state within a step, and changes nothing. Most look at few of these moments.
 class SubstepWatch
 {
 public:
     virtual ~SubstepWatch() = default;
-    virtual void beforeContact(const System& system, const State& state) = 0;
-    virtual void afterContact(const System& system, const State& state) = 0;
+    virtual void beforeContact(const System&, const State&) {}
+    virtual void afterContact(const System&, const State&) {}
     // Contacts that were solved together with rods, before velocities follow; `reach` as
     // RodTask::h.
-    virtual void afterSolve(std::span<const HeldContact> contacts, double reach) = 0;
+    virtual void afterSolve(std::span<const HeldContact> /*contacts*/, double /*reach*/) {}
+    // Tensions of rods that are solved together are those of the substep.
     //   h           s
     //   integrator  that went so far, any but Auto
     virtual void afterSubstep(const System& system, const State& state, double h,
@@ -59,8 +60,9 @@ public:
     void refine(int times) { m_refinement = times; }
     int refinement() const { return m_refinement; }
 
-    // Lets somebody look at the steps from now on; null stops that.
-    void watch(SubstepWatch* watch) { m_watch = watch; }
+    // Lets somebody more look at the steps from now on, or nobody.
+    void watch(SubstepWatch& watch) { m_watches.push_back(&watch); }
+    void stopWatches() { m_watches.clear(); }
 
     // Which obstacles each particle met in the last step, as touchOf() has it; empty without any.
     std::span<const std::uint32_t> touches() const { return m_touches; }
@@ -119,7 +121,7 @@ private:
 
     ThreadPool m_pool;
     StepClock m_clock;
-    SubstepWatch* m_watch = nullptr;
+    std::vector<SubstepWatch*> m_watches;
     RodSolver m_rods;
     RodDamping m_rodDamping;
     SolverPlan m_plan; // of Solver::Auto
