@@ -105,6 +105,7 @@ Json accuracyOf(const RunAccuracy& accuracy)
             {"torn_in_missed", accuracy.tornUntrue},
             {"fastest_swing", accuracy.fastestSwing},
             {"numerical_damping", accuracy.damping},
+            {"numerical_loss", accuracy.lost},
             {"met", accuracy.isMet()}};
 }
 

@@ -13,6 +13,7 @@
 #include "check/elastic_check.h"
 #include "check/fabric_check.h"
 #include "check/flutter_check.h"
+#include "check/gap_check.h"
 #include "check/network_check.h"
 #include "check/start_check.h"
 #include "check/step_check.h"
@@ -86,7 +87,7 @@ public:
         checkFabric(m_scene, m_index, adding());
         names();
         checkStep(m_scene, m_index, adding());
-        gaps();
+        checkGaps(m_scene, adding());
         checkStart(m_scene, adding());
         checkTearing(m_scene, adding());
         checkThreads(m_scene, adding());
@@ -339,20 +340,6 @@ private:
                 Message("Plot %1 shows no values: its lowest has to be below its highest.",
                         plot.name),
                 id);
-    }
-
-    void gaps()
-    {
-        std::optional<double> edge; // computed once at most, since it walks all panels
-        for (const Entry& entry : m_scene.items) {
-            const Collider* collider = std::get_if<Collider>(&entry.item);
-            if (!collider || !std::isfinite(widthOf(*collider)))
-                continue;
-            if (!edge)
-                edge = meanPanelEdge(m_scene);
-            if (auto warning = colliderWarning(*collider, *edge))
-                add("gap", Severity::Warning, std::move(*warning), entry.id);
-        }
     }
 
     // Materials are told apart by their names, in lists as in paths.

@@ -1,7 +1,7 @@
 // From the authored collider to a solid, in the order of the header: its turn as a matrix, the
 // heights or triangles that its row in the table of shapes is made of, and the solid that points
 // at them. Then what depends on more than the shape: its errors (path, numbers, file, in this
-// order), and the warning for a collider that fits between particles.
+// order).
 #include "derived/collider_shape.h"
 
 #include "scene/collider_path.h"
@@ -88,23 +88,6 @@ std::optional<Message> colliderError(const Scene& scene, const Collider& collide
     return std::nullopt;
 }
 
-double meanPanelEdge(const Scene& scene)
-{
-    double sum = 0.0;
-    std::size_t count = 0;
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Panel& panel : part.panels) {
-            const Particle* a = findRow(part.particles, panel.a);
-            const Particle* b = findRow(part.particles, panel.b);
-            if (!a || !b)
-                continue;
-            sum += (b->position - a->position).norm();
-            ++count;
-        }
-    });
-    return count > 0 ? sum / double(count) : 0.0;
-}
-
 double widthOf(const Collider& collider) { return rowOf(collider.shape).width(solidOf(collider)); }
 
 bool mayLieOn(const Scene& scene, const Collider& collider, const Vec3& place, double within)
@@ -118,17 +101,6 @@ bool mayLieOn(const Scene& scene, const Collider& collider, const Vec3& place, d
         data ? rowOf(collider.shape).bounds(solidOf(collider, *data)) : Eigen::AlignedBox3d();
     const Vec3 own = turnOf(collider).transpose() * away;
     return box.isEmpty() || box.exteriorDistance(own) < reach;
-}
-
-std::optional<Message> colliderWarning(const Collider& collider, double panelEdge)
-{
-    const double width = widthOf(collider);
-    if (width >= panelEdge)
-        return std::nullopt;
-    return Message("Collider %1 is %2 m wide and the panels have edges of %3 m: it fits between "
-                   "particles, which are what touches; make the mesh finer or the collider larger.",
-                   collider.name, Message::number("%.3g", width),
-                   Message::number("%.3g", panelEdge));
 }
 
 } // namespace ripstop

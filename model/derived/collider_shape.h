@@ -43,18 +43,11 @@ Solid solidOf(const Collider& collider, const ShapeData& data = {});
 // What keeps the collider from working, as a sentence, or nothing.
 std::optional<Message> colliderError(const Scene& scene, const Collider& collider);
 
-// The mean edge of all panels, m, 0 without any.
-double meanPanelEdge(const Scene& scene);
-
 // Width of the collider where fabric must not slip by, m; infinite for a shape without end.
 double widthOf(const Collider& collider);
 
 // Whether a place is less than `within`, m, above a plane, or off the box around another shape,
 // so that what is there may lie on it. So it is where the shape has no box yet.
 bool mayLieOn(const Scene& scene, const Collider& collider, const Vec3& place, double within);
-
-// A warning about a collider that is narrower than the mean edge of panels, m. Particles touch
-// colliders and panels do not, so that it would pass through the gaps between particles.
-std::optional<Message> colliderWarning(const Collider& collider, double panelEdge);
 
 } // namespace ripstop

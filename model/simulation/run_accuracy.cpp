@@ -43,13 +43,18 @@ Message RunAccuracy::complaint() const
 
 Message RunAccuracy::dampingComplaint() const
 {
-    if (!isMet() || damping <= mostDamping)
+    const bool isDamped = damping > mostDamping;
+    if (!isMet() || (!isDamped && lost <= mostLost))
         return {};
-    const Message fastest = Message::number("%.3g", fastestSwing);
     const Message told =
-        Message("The time steps damp the motion by %1 % of critical: much of it swings faster than "
-                "the %2 Hz that they tell truly, and comes out weaker, or dies away.",
-                dampingPercent(damping), fastest);
+        isDamped
+            ? Message("The time steps damp the motion by %1 % of critical: much of it swings "
+                      "faster than the %2 Hz that they tell truly, and comes out weaker, or dies "
+                      "away.",
+                      dampingPercent(damping), Message::number("%.3g", fastestSwing))
+            : Message("The motion dies away by the time steps: in the last 10 s they took %1 % of "
+                      "its energy, most of what it lost.",
+                      Message::number("%.0f", 100.0 * lost));
     return couldTakeBdf2
                ? Message("%1 Take the integrator BDF2, which damps far less, or a shorter time "
                          "step.",
@@ -59,9 +64,12 @@ Message RunAccuracy::dampingComplaint() const
 
 Message RunAccuracy::loadComplaint(const WorstPlaces& ofRun) const
 {
-    if (!isMet() || ofRun.all().empty() || !ofRun.all().front().isAtLeast())
+    constexpr double leastMargin = 0.1; // that it may have, to be worth a word
+    if (!isMet() || ofRun.all().empty())
         return {};
     const LoadedPlace& worst = ofRun.all().front();
+    if (!worst.isAtLeast() || worst.margin() * (1.0 + worst.shortfall) < leastMargin)
+        return {};
     const Message time = Message::number("%.3g", worst.time);
     const Message higher = Message::number("%.0f", 100.0 * worst.shortfall);
     return worst.kind == LoadKind::Cloth

@@ -14,6 +14,7 @@
 #include "simulation/load_watch.h"
 #include "simulation/probe_reader.h"
 #include "simulation/ramps.h"
+#include "simulation/recent_damping.h"
 #include "simulation/snatch_loads.h"
 #include "step/stepper.h"
 #include "step/watchdog.h"
@@ -315,8 +316,9 @@ void Simulation::Private::noteAccuracy(std::size_t torn)
             accuracy.tornUntrueFirst = run.now.time;
         accuracy.tornUntrue += std::int64_t(torn);
     }
-    damping.add(stepper.numericalDamping(), system().timeStep);
+    damping.add(stepper.numericalDamping(), system(), run.now);
     accuracy.damping = damping.ratio();
+    accuracy.lost = damping.lost();
     accuracy.couldTakeBdf2 =
         stepper.integrator() != Integrator::Bdf2
         && (system().solver == Solver::Auto || system().solver == Solver::Direct);

@@ -5,6 +5,7 @@
 #include "parallel/ordered_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace ripstop {
@@ -104,26 +105,6 @@ void NumericalDamping::add(const NumericalDamping& other, double share)
 {
     taken += share * other.taken;
     turned += share * other.turned;
-}
-
-void RecentDamping::add(const NumericalDamping& step, double timeStep)
-{
-    constexpr double most = 1.0; // s
-    if (m_filled >= most) {
-        m_now = (m_now + 1) % m_sums.size();
-        m_sums[m_now] = {};
-        m_filled = 0.0;
-    }
-    m_sums[m_now].add(step, timeStep);
-    m_filled += timeStep;
-}
-
-double RecentDamping::ratio() const
-{
-    NumericalDamping all;
-    for (const NumericalDamping& second : m_sums)
-        all.add(second, 1.0);
-    return all.ratio();
 }
 
 NumericalDamping numericalDampingOf(const System& system, const State& state,

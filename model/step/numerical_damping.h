@@ -23,8 +23,6 @@
 #include "parallel/thread_pool.h"
 #include "system/system.h"
 
-#include <array>
-#include <cstddef>
 #include <span>
 
 namespace ripstop {
@@ -37,20 +35,6 @@ struct NumericalDamping
     double ratio() const; // 1, of the critical; 0 where nothing moves
 
     void add(const NumericalDamping& other, double share);
-};
-
-// What the steps of the last ten seconds have taken, to a second. What was before is forgotten, so
-// that what has come to rest is not said to be damped.
-class RecentDamping
-{
-public:
-    void add(const NumericalDamping& step, double timeStep); // s
-    double ratio() const;                                    // as above, of all of them
-
-private:
-    std::array<NumericalDamping, 10> m_sums; // J, of a second each
-    std::size_t m_now = 0;                   // the sum that grows
-    double m_filled = 0.0;                   // s of it
 };
 
 // How a substep came from the velocities at its start.

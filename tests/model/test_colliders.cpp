@@ -223,6 +223,25 @@ private slots:
         QVERIFY2(message.contains(says) && message.contains("thing") && message.endsWith('.'),
                  qPrintable(message));
     }
+    // A line slips by a bar that is thinner than its links are long.
+    void barThinnerThanLinks()
+    {
+        const auto warns = [](double segments) {
+            Scene scene = *build(*findBuilder("rope"), {{"length", 2.0}, {"segments", segments}});
+            Collider bar = shaped(ColliderShape::Cylinder);
+            bar.radius = 0.02;
+            scene.items.push_back({colliderId, bar});
+            scene.nextId = Id{901};
+            const auto problems = problemsOf(scene);
+            return std::ranges::any_of(problems, [](const Finding& found) {
+                return found.culprit() == colliderId
+                       && found.message.english().find("the links of rope are 0.1 m long")
+                              != std::string::npos;
+            });
+        };
+        QVERIFY(warns(20.0));
+        QVERIFY(!warns(100.0));
+    }
     void sound()
     {
         for (std::size_t i = 0; i < choiceNames<ColliderShape>.size(); ++i)

