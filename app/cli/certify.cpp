@@ -124,7 +124,7 @@ void addCertify(CLI::App& app, Command& chosen)
         "The scene is flown as it is, with each substep cut in two, and in four; its tolerances "
         "are\ncut as well. What the last value of a probe goes to tells its order and its error "
         "(Richardson);\nwhere it goes nowhere, as in motion that is chaotic, the mean over the "
-        "second half of the time\nis judged instead. It takes about four times as long as the "
+        "second half of the time\nis judged instead. It takes about seven times as long as the "
         "run.");
     command->callback([options, &chosen] { chosen = [options] { return certify(*options); }; });
 }

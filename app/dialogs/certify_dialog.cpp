@@ -77,8 +77,11 @@ CertifyDialog::CertifyDialog(const Document& document, QWidget* parent)
     connect(m_start, &QPushButton::clicked, this, &CertifyDialog::start);
     connect(m_saveTable, &QPushButton::clicked, this, &CertifyDialog::saveTable);
     connect(m_saveRecording, &QPushButton::clicked, this, &CertifyDialog::saveRecording);
-    connect(m_seconds, &ParameterField::changed, this,
-            [this] { m_start->setEnabled(m_seconds->isInRange()); });
+    connect(m_seconds, &ParameterField::changed, this, [this] {
+        const QString refusal = m_seconds->refusal();
+        m_start->setEnabled(refusal.isEmpty());
+        m_state->setText(refusal.isEmpty() ? timeItTakes() : refusal);
+    });
     connect(m_table, &QTableWidget::currentCellChanged, this, &CertifyDialog::draw);
     fill();
     resize(QSize(860, 620).boundedTo(screen()->availableSize() * 0.94));
@@ -130,7 +133,12 @@ void CertifyDialog::layOut()
     layout->addWidget(m_table, 1);
     layout->addWidget(m_chart, 1);
     layout->addWidget(buttons);
-    m_state->setText(tr("It takes about four times as long as the run."));
+    m_state->setText(timeItTakes());
+}
+
+QString CertifyDialog::timeItTakes()
+{
+    return tr("It takes about seven times as long as the run.");
 }
 
 void CertifyDialog::start()

@@ -38,6 +38,7 @@ signals:
     void certified(const std::shared_ptr<const ripstop::Certificate>& certificate);
 
 private:
+    static QString timeItTakes();
     void layOut();
     void fill();
     void draw();

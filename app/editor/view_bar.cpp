@@ -25,6 +25,7 @@ ViewBar::ViewBar(Viewport& viewport, const QString& name)
     setObjectName(name);
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
+    setAttribute(Qt::WA_NoMousePropagation); // clicks beside its fields are not for the view
     hide();
     viewport.installEventFilter(this);
 }

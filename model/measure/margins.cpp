@@ -214,6 +214,18 @@ Vec3 middleOf(const System& system, const State& state, const Loaded& loaded)
     return at(link.a == other.a || link.a == other.b ? link.a : link.b);
 }
 
+TearLimit tearOf(const System& system, const LinkPlace& link)
+{
+    const auto i = std::size_t(link.index);
+    return link.kind == LinkKind::Rod ? system.rods[i].tear : system.springs[i].tear;
+}
+
+// What it tears at comes before what its material could bear; N, or N/m of a width.
+double borneBy(const TearLimit& tear, double width, double strength)
+{
+    return tear.rule == TearRule::Force && tear.limit > 0.0 ? tear.limit / width : strength;
+}
+
 LinkStuff stuffOf(const System& system, int link)
 {
     return system.linkStuff.empty() ? LinkStuff() : system.linkStuff[std::size_t(link)];
@@ -229,10 +241,12 @@ void judgeLinks(const System& system, JudgedPlaces& judged)
         const double bears = isThread                       ? weaker(strength.warp, strength.weft)
                              : stuff.role == LinkRole::Line ? strength.line
                                                             : 0.0;
-        if (bears > 0.0)
-            judged.links.push_back(
-                {i, isThread ? LoadKind::Thread : LoadKind::Line, isThread ? stuff.width : 1.0,
-                 bears * system.factorsOf(std::size_t(i)).strength / system.safetyFactor});
+        const double width = isThread ? stuff.width : 1.0;
+        const double most = borneBy(tearOf(system, system.links[std::size_t(i)]), width,
+                                    bears * system.factorsOf(std::size_t(i)).strength);
+        if (most > 0.0)
+            judged.links.push_back({i, isThread ? LoadKind::Thread : LoadKind::Line, width,
+                                    most / system.safetyFactor});
     }
 }
 
@@ -242,8 +256,12 @@ void judgePanels(const System& system, JudgedPlaces& judged)
     for (int i = 0; i < int(system.membranes.size()); ++i) {
         const Membrane& membrane = system.membranes[std::size_t(i)];
         const ClothLaw law = lawOf(system, membrane);
-        const Strength& strength =
-            system.strength[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
+        const auto cloth = std::size_t(system.panels[std::size_t(membrane.panel)].air);
+        Strength strength = system.strength[cloth];
+        if (const FabricTear& tear = system.clothTear[cloth]; tear.rule == TearRule::Tension) {
+            strength.warp = std::isfinite(tear.warp) ? tear.warp : strength.warp;
+            strength.weft = std::isfinite(tear.weft) ? tear.weft : strength.weft;
+        }
         if (!law.isElastic() || !(weaker(strength.warp, strength.weft) > 0.0))
             continue;
         const std::size_t k = count++ % 4;

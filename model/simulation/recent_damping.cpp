@@ -20,7 +20,11 @@ void RecentDamping::add(const NumericalDamping& step, const System& system, cons
     }
     Second& now = m_seconds[m_now];
     now.damping.add(step, system.timeStep);
-    now.motion += kineticEnergy(system, state) * system.timeStep;
+    for (std::size_t i = 0; i < state.velocity.size(); ++i)
+        if (system.inverseMass[i] > 0.0) {
+            now.motion += 0.5 * system.mass[i] * state.velocity[i].squaredNorm() * system.timeStep;
+            now.mass += system.mass[i] * system.timeStep;
+        }
     now.length += system.timeStep;
     if (m_hasBegun && now.length < second)
         return;
@@ -35,14 +39,26 @@ double RecentDamping::ratio() const
     NumericalDamping all;
     for (const Second& one : m_seconds)
         all.add(one.damping, 1.0);
-    return all.ratio();
+    return moves() ? all.ratio() : 0.0;
+}
+
+bool RecentDamping::moves() const
+{
+    constexpr double still = 0.01; // m/s, in the mean
+    double motion = 0.0;
+    double mass = 0.0;
+    for (const Second& one : m_seconds) {
+        motion += one.motion;
+        mass += one.mass;
+    }
+    return 2.0 * motion > still * still * mass;
 }
 
 double RecentDamping::lost() const
 {
     constexpr double about = 2.0;
     const std::size_t half = m_full / 2;
-    if (half == 0)
+    if (half == 0 || !moves())
         return 0.0;
     double lost = 0.0;
     for (const std::size_t newest : {std::size_t(1), half + 1}) {

@@ -17,7 +17,9 @@ public:
     // second, so that what has come to rest is not said to be damped.
     void add(const NumericalDamping& step, const System& system, const State& state);
 
-    double ratio() const; // 1, of the critical
+    // 1, of the critical; 0 of what hardly moves, as lost() is: how the rest of a motion dies away
+    // is no loss.
+    double ratio() const;
 
     // 1, of the energy of the motion, that the steps took in full seconds, where it is about what
     // energy has become less by in either half of them; else 0: what wind and hands keep going has
@@ -30,9 +32,11 @@ private:
     {
         NumericalDamping damping; // J
         double motion = 0.0;      // J s
+        double mass = 0.0;        // kg s, of what may move
         double length = 0.0;      // s
         double less = 0.0;        // J, by which all energy has become less
     };
+    bool moves() const;
     const Second& before(std::size_t age) const // 1 for the last full one
     {
         return m_seconds[(m_now + m_seconds.size() - age) % m_seconds.size()];

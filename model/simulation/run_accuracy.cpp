@@ -52,7 +52,7 @@ Message RunAccuracy::dampingComplaint() const
                       "faster than the %2 Hz that they tell truly, and comes out weaker, or dies "
                       "away.",
                       dampingPercent(damping), Message::number("%.3g", fastestSwing))
-            : Message("The motion dies away by the time steps: in the last 10 s they took %1 % of "
+            : Message("The motion dies away by the time steps: in ten seconds they took %1 % of "
                       "its energy, most of what it lost.",
                       Message::number("%.0f", 100.0 * lost));
     return couldTakeBdf2

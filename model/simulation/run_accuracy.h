@@ -39,7 +39,7 @@ struct RunAccuracy
     double tornUntrueFirst = 0.0; // s, when the first of them did
     double fastestSwing = 0.0;    // Hz, that the next step tells as it is: step/true_swings.h
     double damping = 0.0;         // 1, of critical, that the last ten seconds of steps have taken
-    double lost = 0.0;            // 1, of the motion's energy: RecentDamping::lost()
+    double lost = 0.0;            // 1, of the motion, at most: RecentDamping::lost()
     bool couldTakeBdf2 = false;   // its solver goes with it, and the last step was none
 
     double missedShare() const { return steps > 0 ? double(missed) / double(steps) : 0.0; }

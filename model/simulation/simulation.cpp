@@ -318,7 +318,7 @@ void Simulation::Private::noteAccuracy(std::size_t torn)
     }
     damping.add(stepper.numericalDamping(), system(), run.now);
     accuracy.damping = damping.ratio();
-    accuracy.lost = damping.lost();
+    accuracy.lost = std::max(accuracy.lost, damping.lost());
     accuracy.couldTakeBdf2 =
         stepper.integrator() != Integrator::Bdf2
         && (system().solver == Solver::Auto || system().solver == Solver::Direct);

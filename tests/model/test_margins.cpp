@@ -72,6 +72,45 @@ private slots:
         compareWithin(worst.place.y(), -0.5, 2e-3);
     }
 
+    // What tears at a limit of its own bears that, whatever its material could; and it is as near
+    // to its end as that says.
+    void limitInForceComesFirst()
+    {
+        Material cord = line(100.0);
+        cord.tearRule = TearRule::Force;
+        cord.tearLimit = 30.0;
+        Chain byMaterial({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, cord);
+        byMaterial.scene.settings.safetyFactor = 2.0;
+        compareWithin(byMaterial.after(2.0)->worstNow.all()[0].strength, 15.0, 1e-12);
+
+        cord = line(100.0);
+        cord.tearRule = TearRule::Strength;
+        Chain byItself({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, cord, Link{.tearLimit = 25.0});
+        const auto frame = byItself.after(2.0);
+        compareWithin(frame->worstNow.all()[0].strength, 25.0, 1e-12);
+        compareWithin(frame->linkMargin[0], 2.0 * g / 25.0, 1e-3);
+
+        Strip made = strip({.across = 2, .along = 4}, 0.0, 40.0);
+        made.cloth().warpStrength = made.cloth().weftStrength = 4000.0;
+        made.cloth().tearRule = TearRule::Tension;
+        made.cloth().tearLimit = 1000.0;
+        Simulation simulation(*compile(made.scene));
+        QVERIFY(simulation.runUntil(0.1));
+        compareWithin(simulation.frame()->worstNow.all()[0].strength, 1000.0, 1e-12);
+    }
+
+    // What breaks by it is told with a margin that says so.
+    void tornByItsLimit()
+    {
+        Material cord = line(100.0);
+        cord.tearRule = TearRule::Force;
+        cord.tearLimit = 10.0;
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, cord);
+        const LoadedPlace worst = chain.after(2.0)->worstOfRun.all()[0];
+        QVERIFY(worst.torn);
+        QVERIFY2(worst.margin() > 1.0, qPrintable(QString::number(worst.margin())));
+    }
+
     // A thread stands for a strip of cloth and has the pull of it; it may be warp or weft.
     void threadByItsWidth()
     {

@@ -63,7 +63,7 @@ private slots:
     void forgets()
     {
         System system = emptySystem(timeStep);
-        addParticle(system, Vec3::Zero(), 1.0);
+        addParticle(system, Vec3::Zero(), 1.0, Vec3::UnitX());
         finish(system);
         RecentDamping damping;
         for (int i = 0; i < perSecond; ++i)
@@ -112,6 +112,20 @@ private slots:
         Spring& spring = addSpring(system, pin, weight, 1.0, 100.0);
         spring.damping = 10.0;
         QCOMPARE(flown(system, 10 * perSecond).damping.lost(), 0.0);
+    }
+
+    // Millimetres in a second are the rest of a motion.
+    void restIsNothing()
+    {
+        for (const auto& [speed, expected] : {std::pair(0.02, 0.5), std::pair(0.005, 0.0)}) {
+            System system = emptySystem(timeStep);
+            addParticle(system, Vec3::Zero(), 1.0, speed * Vec3::UnitX());
+            finish(system);
+            RecentDamping damping;
+            for (int i = 0; i < perSecond; ++i)
+                damping.add({0.5 * std::numbers::pi, 1.0}, system, system.start);
+            QVERIFY(std::abs(damping.ratio() - expected) < 1e-9);
+        }
     }
 
     // Before there are two full seconds nothing can be told.

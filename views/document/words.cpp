@@ -139,6 +139,9 @@ QString englishLabel(std::string_view choice)
         const QString proper = QString(QLatin1String(name));
         text.replace(proper, proper.at(0).toUpper() + proper.mid(1));
     }
+    for (const char* axis : {"pressure x", "pressure y", "pressure z"})
+        if (text == QLatin1String(axis))
+            text.prepend(QLatin1String("centre of "));
     for (const char* name : {"bdf2", "rk4"})
         text.replace(QLatin1String(name), QString(QLatin1String(name)).toUpper());
     if (!text.isEmpty())

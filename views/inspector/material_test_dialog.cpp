@@ -117,8 +117,8 @@ QFormLayout* MaterialTestDialog::fields()
     m_direction->addItems({tr("Along the warp"), tr("Across the warp")});     // as PullDirection
     m_forceUnit->setPlaceholderText(tr("of the header, as in “force (N)”"));
     m_elongationUnit->setPlaceholderText(tr("of the header, as in “elongation (mm)”"));
-    m_from->setPlaceholderText(tr("10 % of the largest force"));
-    m_to->setPlaceholderText(tr("60 % of the largest force"));
+    m_from->setPlaceholderText(tr("where 10 % of the largest force is"));
+    m_to->setPlaceholderText(tr("where 60 % of the largest force is"));
     const QString range = tr("Or draw a rectangle over the plot.");
     m_from->setToolTip(range);
     m_to->setToolTip(range);
@@ -131,8 +131,8 @@ QFormLayout* MaterialTestDialog::fields()
     form->addRow(tr("&Width"), m_width);
     form->addRow(tr("&Unit of force"), m_forceUnit);
     form->addRow(tr("Unit of &elongation"), m_elongationUnit);
-    form->addRow(tr("F&it from"), m_from);
-    form->addRow(tr("&to"), m_to);
+    form->addRow(tr("F&it from elongation"), m_from);
+    form->addRow(tr("&to elongation"), m_to);
     form->addRow(tr("&Called"), m_label);
     return form;
 }

@@ -5,6 +5,7 @@
 // the label are gestures (tuning.h). numberField() puts one such line over a slider, vectorField()
 // three of them, in a row or below each other. A number that is absent shows what it falls back to.
 #include "derived/link_stiffness.h"
+#include "derived/tear_bounds.h"
 #include "document/document.h"
 #include "document/spoken.h"
 #include "document/words.h"
@@ -149,7 +150,8 @@ private:
 };
 
 // What a link has of its material: stiffness and compliance follow from its length and its role
-// where the material has physical numbers.
+// where the material has physical numbers, and what it tears at from the rule. No number where it
+// never does.
 double ofItsMaterial(const Property& property, const Property& source, const Link& link,
                      const Material& material)
 {
@@ -157,6 +159,11 @@ double ofItsMaterial(const Property& property, const Property& source, const Lin
         return springStiffness(material, link);
     if (isOneOf<&Link::compliance>(property))
         return rodCompliance(material, link);
+    if (isOneOf<&Link::tearLimit>(property)) {
+        const TearLimit tear =
+            linkTearOf(material, link.role, link.width, std::nullopt, link.strengthFactor);
+        return tear.rule == TearRule::Never ? std::nan("") : tear.limit;
+    }
     return std::get<double>(source.get(&material));
 }
 
@@ -179,7 +186,7 @@ QString inherited(const FieldPlace& place)
         if (!common)
             common = value;
     }
-    return common ? words("from material (%1)").arg(spokenText(*common, source->unit))
+    return common ? words("from material (%1)").arg(spokenText(*common, unitNow(place)))
                   : words("from material");
 }
 

@@ -80,8 +80,8 @@ LoadList::LoadList(const QString& title, const QString& name, QWidget* parent)
     setHeaderLabels({tr("Margin"), title, tr("Load"), tr("Can bear"), tr("Time")});
     headerItem()->setToolTip(Margin, tr("Load over strength: 1 breaks."));
     headerItem()->setToolTip(Strength,
-                             tr("Of the material, times its joint efficiency, over the safety "
-                                "factor of the scene."));
+                             tr("What it tears at, or else the strength of the material times its "
+                                "joint efficiency; over the safety factor of the scene."));
     setAccessibleName(name);
     setRootIsDecorated(false);
     setFrameShape(NoFrame);
@@ -118,7 +118,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         QTreeWidgetItem& item = *topLevelItem(row);
         const bool isJudged = place.strength > 0.0;
         item.setText(Margin, isJudged ? marginText(place.margin()) : QString());
-        item.setIcon(Margin, signOf(isJudged ? place.margin() : 1.0));
+        item.setIcon(Margin, signOf(isJudged && !place.torn ? place.margin() : 1.0));
         const QString words = placeWords(scene, Id{place.element});
         item.setText(Place, place.torn ? tr("%1. %2: torn").arg(++torn).arg(words) : words);
         item.setData(Place, Qt::UserRole, place.element);

@@ -171,6 +171,12 @@ void Outline::buildTree()
     });
     connect(m_tree->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &Outline::takeFromTree);
+    // A list that comes, as when its only item is deleted and that is undone, is open like others.
+    connect(m_filter, &QAbstractItemModel::rowsInserted, m_tree,
+            [this](const QModelIndex& parent, int first, int last) {
+                for (int row = first; !parent.isValid() && row <= last; ++row)
+                    m_tree->expand(m_filter->index(row, 0));
+            });
 }
 
 void Outline::buildAddMenu()

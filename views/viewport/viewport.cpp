@@ -304,8 +304,10 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
                       groundBelow(d->stage.colliders(), *frame, d->camera.eye()));
     const auto before = d->stage.frame();
     const bool isAnew = before && beginsAnew(*frame, *before);
+    const bool comesBack = before && before->position.empty() && !frame->position.empty();
     d->stage.show(std::move(frame));
-    if (isAnew && !d->seesSubject()) // the camera looked closely at what is elsewhere again
+    // the camera looked at what is elsewhere again, or at where it was before it was deleted
+    if ((isAnew || comesBack) && !d->seesSubject())
         d->fitNow();
     d->pointing.moved();
     d->screen.renderSoon();
