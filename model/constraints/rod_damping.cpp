@@ -5,22 +5,19 @@
 namespace ripstop {
 namespace {
 
-double pullingStretch(const Rod& rod, double restLength, const Vec3& separation)
-{
-    const double stretch = separation.norm() - restLength;
-    return isSlack(rod.resists, stretch) ? 0.0 : stretch;
-}
-
+// B of the header.
 double stretchBack(const Rod& rod, double restLength, const RodPast& past)
 {
     const auto a = std::size_t(rod.a);
     const auto b = std::size_t(rod.b);
     const Vec3 separation = past.before[b] - past.before[a];
-    const double last = pullingStretch(rod, restLength, separation);
+    const double last = separation.norm() - restLength;
+    const bool isSlackNow = isSlack(rod.resists, last);
     if (past.drift.empty())
-        return last;
+        return isSlackNow ? 0.0 : last;
     const Vec3 way = past.h * (past.drift[b] - past.drift[a]);
-    const double back = (4.0 * last - pullingStretch(rod, restLength, separation - way)) / 3.0;
+    const double earlier = (separation - way).norm() - restLength;
+    const double back = ((isSlackNow ? 2.0 : 4.0) * last - earlier) / 3.0;
     return isSlack(rod.resists, back) ? 0.0 : back;
 }
 

@@ -430,8 +430,8 @@
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
-        <source>It takes about four times as long as the run.</source>
-        <translation>Cela prend environ quatre fois le temps de la simulation.</translation>
+        <source>It takes about seven times as long as the run.</source>
+        <translation>Cela prend environ sept fois le temps de la simulation.</translation>
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
@@ -637,11 +637,6 @@
         <location filename="collider_path.cpp"/>
         <source>must have times that ascend (%1 is not later than the row before)</source>
         <translation>doit avoir des temps croissants (%1 n’est pas après le rang d’avant)</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>Collider %1 is %2 m wide and the panels have edges of %3 m: it fits between particles, which are what touches; make the mesh finer or the collider larger.</source>
-        <translation>L’obstacle %1 fait %2 m de large et les panneaux ont des arêtes de %3 m : il passe entre les particules, seules à toucher ; affiner le maillage ou agrandir l’obstacle.</translation>
     </message>
     <message>
         <location filename="collider_shape.cpp"/>
@@ -3270,6 +3265,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>il n’y a pas de place pour les formes de la série</translation>
     </message>
     <message>
+        <location filename="gap_check.cpp"/>
+        <source>Collider %1 is %2 m wide and the links of %4 are %3 m long: it fits between particles, which are what touches; take shorter links, or a larger collider.</source>
+        <translation>L’obstacle %1 fait %2 m de large et les liaisons de %4 font %3 m de long : il passe entre les particules, seules à toucher ; prendre des liaisons plus courtes ou un obstacle plus grand.</translation>
+    </message>
+    <message>
+        <location filename="gap_check.cpp"/>
+        <source>Collider %1 is %2 m wide and the panels of %4 have sides of %3 m: it fits between particles, which are what touches; make the mesh finer, or the collider larger.</source>
+        <translation>L’obstacle %1 fait %2 m de large et les panneaux de %4 ont des côtés de %3 m : il passe entre les particules, seules à toucher ; affiner le maillage ou agrandir l’obstacle.</translation>
+    </message>
+    <message>
         <location filename="gltf.cpp"/>
         <source>The animation would have %1 MB, and a glTF file holds 4096 at most; choose fewer frames, or a point cache (.pc2).</source>
         <translation>L’animation ferait %1 Mo, et un fichier glTF en contient 4096 au plus ; choisir moins d’images, ou un cache de points (.pc2).</translation>
@@ -4792,11 +4797,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
-        <source>Of the material, times its joint efficiency, over the safety factor of the scene.</source>
-        <translation>Du matériau, fois sa tenue des coutures et nœuds, sur le coefficient de sécurité de la scène.</translation>
-    </message>
-    <message>
-        <location filename="load_list.cpp"/>
         <source>Pull along it</source>
         <translation>Traction le long de la liaison</translation>
     </message>
@@ -4814,6 +4814,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_list.cpp"/>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>What it tears at, or else the strength of the material times its joint efficiency; over the safety factor of the scene.</source>
+        <translation>Ce qui le rompt, ou sinon la résistance du matériau fois sa tenue des coutures et nœuds ; sur le coefficient de sécurité de la scène.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -5298,18 +5303,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="material_test_dialog.cpp"/>
-        <source>&amp;to</source>
-        <translation>&amp;à</translation>
-    </message>
-    <message>
-        <location filename="material_test_dialog.cpp"/>
-        <source>10 % of the largest force</source>
-        <translation>10 % de la plus grande force</translation>
-    </message>
-    <message>
-        <location filename="material_test_dialog.cpp"/>
-        <source>60 % of the largest force</source>
-        <translation>60 % de la plus grande force</translation>
+        <source>&amp;to elongation</source>
+        <translation>&amp;à l’allongement</translation>
     </message>
     <message>
         <location filename="material_test_dialog.cpp"/>
@@ -5348,8 +5343,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="material_test_dialog.cpp"/>
-        <source>F&amp;it from</source>
-        <translation>A&amp;juster de</translation>
+        <source>F&amp;it from elongation</source>
+        <translation>A&amp;juster de l’allongement</translation>
     </message>
     <message>
         <location filename="material_test_dialog.cpp"/>
@@ -5435,6 +5430,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="material_test_dialog.cpp"/>
         <source>of the header, as in “force (N)”</source>
         <translation>celle de l’en-tête, comme « force (N) »</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>where 10 % of the largest force is</source>
+        <translation>où la force est à 10 % de la plus grande</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>where 60 % of the largest force is</source>
+        <translation>où la force est à 60 % de la plus grande</translation>
     </message>
     <message>
         <location filename="measure.cpp"/>
@@ -8415,8 +8420,23 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
+        <source>The motion dies away by the time steps: in ten seconds they took %1 % of its energy, most of what it lost.</source>
+        <translation>Le mouvement s’éteint par les pas de temps : en dix secondes, ils ont pris %1 % de son énergie, la plus grande part de ce qu’il a perdu.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
         <source>The time steps damp the motion by %1 % of critical: much of it swings faster than the %2 Hz that they tell truly, and comes out weaker, or dies away.</source>
         <translation>Les pas de temps amortissent le mouvement de %1 % de l’amortissement critique : une bonne part oscille plus vite que les %2 Hz qu’ils rendent fidèlement, et en sort affaiblie, ou s’éteint.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>The worst load of the run, in link %1 at %2 s, came in a blow of which the time steps took much of the energy: without that it would be about %3 % higher. Take a shorter time step.</source>
+        <translation>La plus grande charge du vol, dans la liaison %1 à %2 s, est venue d’un choc dont les pas de temps ont pris une bonne part de l’énergie : sans cela elle serait plus haute d’environ %3 %. Prenez un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>The worst load of the run, in panel %1 at %2 s, came in a blow of which the time steps took much of the energy: without that it would be about %3 % higher. Take a shorter time step.</source>
+        <translation>La plus grande charge du vol, dans le panneau %1 à %2 s, est venue d’un choc dont les pas de temps ont pris une bonne part de l’énergie : sans cela elle serait plus haute d’environ %3 %. Prenez un pas de temps plus court.</translation>
     </message>
     <message>
         <location filename="run_files.cpp"/>
@@ -9407,16 +9427,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="smooth.cpp"/>
         <source>Smooth</source>
         <translation>Lisser</translation>
-    </message>
-    <message>
-        <location filename="snatch_loads.cpp"/>
-        <source>The worst load of the run, in link %1 at %2 s, came in a blow of which the time steps took much of the energy: without that it would be about %3 % higher. Take a shorter time step.</source>
-        <translation>La plus grande charge du vol, dans la liaison %1 à %2 s, est venue d’un choc dont les pas de temps ont pris une bonne part de l’énergie : sans cela elle serait plus haute d’environ %3 %. Prenez un pas de temps plus court.</translation>
-    </message>
-    <message>
-        <location filename="snatch_loads.cpp"/>
-        <source>The worst load of the run, in panel %1 at %2 s, came in a blow of which the time steps took much of the energy: without that it would be about %3 % higher. Take a shorter time step.</source>
-        <translation>La plus grande charge du vol, dans le panneau %1 à %2 s, est venue d’un choc dont les pas de temps ont pris une bonne part de l’énergie : sans cela elle serait plus haute d’environ %3 %. Prenez un pas de temps plus court.</translation>
     </message>
     <message>
         <location filename="solid.cpp"/>
@@ -11620,6 +11630,21 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Centre</source>
         <translation>Centre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Centre of pressure x</source>
+        <translation>Centre de poussée x</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Centre of pressure y</source>
+        <translation>Centre de poussée y</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Centre of pressure z</source>
+        <translation>Centre de poussée z</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14380,21 +14405,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Pressure</source>
         <translation>Pression</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Pressure x</source>
-        <translation>Centre de poussée x</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Pressure y</source>
-        <translation>Centre de poussée y</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Pressure z</source>
-        <translation>Centre de poussée z</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -261,31 +261,6 @@ private slots:
         compareWithin(strong->probe[0], 2.0 * g / 40.0, 1e-3);
     }
 
-    // A weight that falls into its line: the run knows the jerk, when the moment has long
-    // forgotten it.
-    void runRemembersTheJerk()
-    {
-        Chain chain({Vec3(0, 0, 0), Vec3(0, -0.5, 0)}, 1, 2.0, line(100.0));
-        chain.row().links[0].restLength = 1.0;
-        chain.row().links[0].resists = Resists::Tension;
-        chain.scene.settings.viscosity = 2.0;
-        Simulation simulation(*compile(chain.scene));
-        double most = 0.0;
-        double when = 0.0;
-        while (simulation.state().time < 8.0) {
-            QVERIFY(simulation.step());
-            if (const double now = simulation.frame()->linkMargin[0]; now > most) {
-                most = now;
-                when = simulation.state().time;
-            }
-        }
-        const auto frame = simulation.frame();
-        QVERIFY(most > 2.0 * 2.0 * g / 100.0); // a load that comes at once is felt twice, at least
-        QCOMPARE(frame->worstOfRun.all()[0].margin(), most);
-        QCOMPARE(frame->worstOfRun.all()[0].time, when);
-        compareWithin(frame->worstNow.all()[0].margin(), 2.0 * g / 100.0, 0.01);
-    }
-
     // The list finds the largest of the margins of all panels, however cloth is strained: taut,
     // wrinkled and slack, with any ratio of warp to weft.
     void listFindsTheWorstPanel()

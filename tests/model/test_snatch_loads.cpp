@@ -2,6 +2,7 @@
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
+#include "model/chain.h"
 #include "model/first_item.h"
 #include "registered_test.h"
 #include "simulation/simulation.h"
@@ -96,6 +97,34 @@ private slots:
                  qPrintable(QString("%1, expected %2").arg(would).arg(truth)));
         const bool isUsual = rate == 240.0;
         QVERIFY2(!isUsual || !place.isAtLeast(), qPrintable(QString::number(place.shortfall)));
+    }
+
+    // A damper takes hold at once: of 2 kg that have fallen half a metre, through what takes n of
+    // the speed in a second, it pulls with c v from the first moment on. The run remembers that
+    // when the moment has long forgotten it.
+    void damperTakesHoldAtOnce()
+    {
+        constexpr double strength = 100.0; // N
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -0.5, 0)}, 1, 2.0, line(strength));
+        chain.row().links[0].restLength = 1.0;
+        chain.row().links[0].resists = Resists::Tension;
+        const double n = 2.0; // 1/s
+        chain.scene.settings.viscosity = n;
+        const double g = chain.scene.settings.gravity.norm();
+        double time = 0.0; // s, of the fall
+        for (int i = 0; i < 100; ++i)
+            time = 0.5 * n / g + (1.0 - std::exp(-n * time)) / n;
+        const double speed = g / n * (1.0 - std::exp(-n * time));
+        const Material& cord = chain.stuff();
+        const double truth = *cord.axialStiffness * cord.dampingTime * speed; // of 1 m
+
+        const auto frame = chain.after(8.0);
+        const LoadedPlace& place = frame->worstOfRun.all()[0];
+        QVERIFY2(std::abs(place.load - truth) < 0.05 * truth,
+                 qPrintable(QString("%1, expected %2").arg(place.load).arg(truth)));
+        QVERIFY(std::abs(place.time - time) < chain.scene.settings.timeStep);
+        const double now = frame->worstNow.all()[0].load;
+        QVERIFY2(std::abs(now - 2.0 * g) < 0.01 * 2.0 * g, qPrintable(QString::number(now)));
     }
 
     // A cord that bears a tenth less than the blow breaks by it, and one that bears a tenth more
