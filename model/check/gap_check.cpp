@@ -1,6 +1,6 @@
-// What has the widest gaps is found once: the part whose panels, or whose links that are no sides
-// of panels, are the longest in the mean. Of a panel the longest side counts, as the gap of a cell
-// is its diagonal.
+// What has the widest gaps is found once: the part whose panels, or whose lines of three links and
+// more, have the longest in the mean. Of a panel the longest side counts, as the gap of a cell is
+// its diagonal. Lines of less are not made to lie on anything.
 #include "check/gap_check.h"
 
 #include "derived/collider_shape.h"
@@ -55,10 +55,17 @@ Gaps widestOf(const Part& part)
         corners.insert(corners.end(), {panel.a, panel.b, panel.c});
     }
     std::ranges::sort(corners);
-    const auto isCorner = [&](Id id) { return std::ranges::binary_search(corners, id); };
+    std::vector<Id> ends;
+    for (const Link& link : part.links)
+        ends.insert(ends.end(), {link.from, link.to});
+    std::ranges::sort(ends);
+    const auto goesOn = [&](Id id) { // a line, by one other link
+        return !std::ranges::binary_search(corners, id)
+               && std::ranges::equal_range(ends, id).size() == 2;
+    };
     Mean ofLinks;
     for (const Link& link : part.links)
-        if (!isCorner(link.from) || !isCorner(link.to))
+        if (goesOn(link.from) && goesOn(link.to))
             ofLinks.add(lengthOf(part, sideOf(link.from, link.to)));
     return ofLinks.value() > ofPanels.value() ? Gaps{&part, true, ofLinks.value()}
                                               : Gaps{&part, false, ofPanels.value()};
