@@ -44,6 +44,17 @@ std::size_t paintedIn(const Shop& shop)
                               [](const Panel& panel) { return panel.strengthFactor != 1.0; }));
 }
 
+// Counts presses of mouse buttons on what it filters.
+struct Presses : QObject
+{
+    int count = 0;
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        count += event->type() == QEvent::MouseButtonPress;
+        return false;
+    }
+};
+
 } // namespace
 
 class TestPainting : public QObject
@@ -82,6 +93,21 @@ private slots:
         QVERIFY(shop.window.actions()["toolPointer"]->isChecked());
         QCOMPARE(shop.viewport.colorBy(), ColorBy::Speed);
         QVERIFY(!shop.window.actions()["grain"]->isChecked());
+    }
+
+    // What is clicked beside the fields of its bar stays there.
+    void clicksOnTheBarAreNotForTheView()
+    {
+        Shop shop(elasticSheet());
+        shop.run("toolBrush");
+        auto* bar = shop.viewport.findChild<QWidget*>("brushBar");
+        QTRY_VERIFY(bar->isVisible());
+        Presses presses;
+        shop.viewport.installEventFilter(&presses);
+        QTest::mouseClick(bar, Qt::LeftButton, {}, QPoint(1, 1));
+        QCOMPARE(presses.count, 0);
+        QTest::mouseClick(&shop.viewport, Qt::LeftButton, {}, QPoint(1, 1));
+        QCOMPARE(presses.count, 1);
     }
 
     void escapeGivesUpTheStrokeAndThenTheTool()

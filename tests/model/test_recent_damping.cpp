@@ -32,6 +32,22 @@ System bola(double turns)
     return system;
 }
 
+// The same on a chain of ten rods that never stretch, by Euler's method.
+System chainOfRods(double turns)
+{
+    System system = emptySystem(timeStep);
+    system.solver = Solver::Direct;
+    constexpr int rods = 10;
+    for (int i = 0; i <= rods; ++i) {
+        const double x = double(i) / rods - 0.5;
+        addParticle(system, {x, 0.0, 0.0}, i == 0 || i == rods ? 1.0 : 1e-3,
+                    {0.0, 2.0 * std::numbers::pi * turns * x, 0.0});
+    }
+    for (int i = 0; i < rods; ++i)
+        addRod(system, i, i + 1, 1.0 / rods);
+    return system;
+}
+
 struct Flown
 {
     RecentDamping damping;
@@ -83,17 +99,25 @@ private slots:
     }
 
     // Of the four and four full seconds before the last one, BDF2 takes about a quarter of the
-    // energy of what goes round five times in a second, far below a hundredth of critical.
+    // energy of what goes round five times in a second, far below a hundredth of critical; and
+    // Euler's method an eighth of what does so once in two.
+    void dyingAwayIsTold_data()
+    {
+        QTest::addColumn<System>("made");
+        QTest::newRow("one rod, BDF2") << bola(5.0);
+        QTest::newRow("ten rods that never stretch, Euler") << chainOfRods(0.5);
+    }
     void dyingAwayIsTold()
     {
-        System system = bola(5.0);
+        QFETCH(const System, made);
+        System system = made;
         const Flown flown = test_recent_damping::flown(system, 10 * perSecond + 1);
         const std::size_t first = 2 * perSecond - 1;
         const std::size_t last = 10 * perSecond - 1;
         const double lost = 1.0 - flown.kinetic[last] / flown.kinetic[first];
         QVERIFY2(std::abs(flown.damping.lost() - lost) < 0.05 * lost,
                  qPrintable(QString("%1, expected %2").arg(flown.damping.lost()).arg(lost)));
-        QVERIFY(flown.damping.ratio() < 0.002);
+        QVERIFY(flown.damping.ratio() < 0.004);
     }
 
     // What is slow keeps its energy.

@@ -396,6 +396,13 @@ private slots:
         QCOMPARE(told("stiffness"), QString("from material (4000 N/m)"));
         set(Id{6}, "restLength", 0.5);
         QCOMPARE(told("compliance"), QString("from material"));
+
+        // and what it tears at, whatever limit stands idle beside the rule
+        set(Id{9}, "tearRule", std::string("strength"));
+        set(Id{9}, "lineStrength", 405.0);
+        QCOMPARE(told("tearLimit"), QString("from material (405 N)"));
+        set(Id{6}, "strengthFactor", 0.5);
+        QCOMPARE(told("tearLimit"), QString("from material"));
     }
 
     void relativeEditsKeepTheRatio()

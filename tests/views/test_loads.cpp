@@ -193,6 +193,23 @@ private slots:
         QVERIFY((place - Vec3(2.0, 9.5, 0.0)).norm() < 0.05);
     }
 
+    // A line that tears by its length, long before its strength is used, has no green tick.
+    void whatHasTornIsNeverWell()
+    {
+        Scene scene = hangingPair(1000.0);
+        auto& material = std::get<Material>(*findItem(scene, Id{5}));
+        material.tearRule = TearRule::Length;
+        material.tearLimit = 0.9;
+        Bench bench(std::move(scene));
+        QTRY_VERIFY(bench.player.frame());
+        bench.player.playUntil(0.1);
+        QTRY_COMPARE(bench.panel.ofRun().topLevelItemCount(), 1);
+        const QTreeWidgetItem& row = *bench.panel.ofRun().topLevelItem(0);
+        QVERIFY(row.text(LoadList::Place).endsWith("torn"));
+        const QColor sign = row.icon(LoadList::Margin).pixmap(16, 16).toImage().pixelColor(8, 2);
+        QVERIFY2(sign.red() > sign.green(), qPrintable(sign.name()));
+    }
+
     // What comes into the design during a run, as by an import, leaves the worst of the run: here
     // another material with a strength.
     void theWorstStaysWithWhatComes()

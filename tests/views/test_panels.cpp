@@ -196,6 +196,11 @@ private slots:
         QVERIFY(bench.selection.ids().empty());
         bench.document.history().undo();
         QVERIFY(findItem(bench.document.scene(), Id{13}));
+        for (int row = 0; row < tree->model()->rowCount();
+             ++row) { // a list that has come back, too
+            const QModelIndex list = tree->model()->index(row, 0);
+            QVERIFY(tree->isExpanded(list) || !tree->model()->hasChildren(list));
+        }
         const auto actions = outline.addMenu()->actions();
         const auto items = bench.document.scene().items.size();
         actions.first()->trigger();
