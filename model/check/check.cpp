@@ -14,6 +14,7 @@
 #include "check/fabric_check.h"
 #include "check/flutter_check.h"
 #include "check/gap_check.h"
+#include "check/hinge_check.h"
 #include "check/network_check.h"
 #include "check/start_check.h"
 #include "check/step_check.h"
@@ -88,6 +89,7 @@ public:
         names();
         checkStep(m_scene, m_index, adding());
         checkGaps(m_scene, adding());
+        checkHinges(m_scene, m_index, adding());
         checkStart(m_scene, adding());
         checkTearing(m_scene, adding());
         checkThreads(m_scene, adding());

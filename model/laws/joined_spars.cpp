@@ -88,7 +88,7 @@ private:
     {
         struct Pair
         {
-            double straightness; // 1 is straight, 1/2 turns by 60 degrees
+            double straightness; // 1 is straight
             int one;
             int other;
         };
@@ -96,7 +96,7 @@ private:
         for (std::size_t i = 0; i < links.size(); ++i)
             for (std::size_t j = i + 1; j < links.size(); ++j) {
                 const double along = -away(links[i], particle).dot(away(links[j], particle));
-                if (along >= 0.5 - 1e-9
+                if (along >= leastAlongOfSpars
                     && otherEnd(links[i], particle) != otherEnd(links[j], particle))
                     pairs.push_back({along, links[i], links[j]});
             }

@@ -16,6 +16,9 @@
 
 namespace ripstop {
 
+// The cosine of the angle by which spars turn at most where they go on into each other, 60 degrees.
+inline constexpr double leastAlongOfSpars = 0.5 - 1e-9;
+
 // Adds the bends of spars, in ascending order of the particles that they are at.
 void addSparBends(const BendingNet& net, std::vector<Bend>& bends);
 

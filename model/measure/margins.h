@@ -2,10 +2,10 @@
 // pull, of threads and elastic panels by their pull per width, of spars by their bending moment
 // too. Colours, probes, tables and the panel of loads all have their margins from here.
 //
-// What tears at a force or a tension of its own bears that. A thread does not say whether it is warp
-// or weft, so that the weaker of both counts. The moment
-// of a spar is the slope of its energy over the angle between two links (laws/bend.h); it belongs
-// to both. What has torn bears nothing, and what pushes is not judged: buckling is no strength.
+// What tears at a force or a tension of its own bears that. A thread does not say whether it is
+// warp or weft, so that the weaker of both counts. The moment of a spar is the slope of its energy
+// over the angle between two links (laws/bend.h); it belongs to both. What has torn bears nothing,
+// and what pushes is not judged: buckling is no strength.
 #pragma once
 
 #include "laws/cloth_pack.h"

@@ -3810,6 +3810,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>À quoi servent les parties de la fenêtre, en une minute.</translation>
     </message>
     <message>
+        <location filename="hinge_check.cpp"/>
+        <source>At particle #%1 a spar of %2 turns by %3 degrees, and nothing else is tied there: it moves as on a hinge, since spars go on into each other up to 60 degrees. Bend it in smaller angles, or brace it.</source>
+        <translation>À la particule %1, un longeron de %2 tourne de %3 degrés et rien d’autre n’y est attaché : il bouge comme sur une charnière, car les longerons ne se prolongent que jusqu’à 60 degrés. Courbez-le par angles plus petits, ou haubanez-le.</translation>
+    </message>
+    <message>
         <location filename="id_field.cpp"/>
         <source>%1 is one thing, not several.</source>
         <translation>« %1 » désigne une seule chose, pas plusieurs.</translation>
