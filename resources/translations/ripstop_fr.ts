@@ -3812,7 +3812,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="hinge_check.cpp"/>
         <source>At particle #%1 a spar of %2 turns by %3 degrees, and nothing else is tied there: it moves as on a hinge, since spars go on into each other up to 60 degrees. Bend it in smaller angles, or brace it.</source>
-        <translation>À la particule %1, un longeron de %2 tourne de %3 degrés et rien d’autre n’y est attaché : il bouge comme sur une charnière, car les longerons ne se prolongent que jusqu’à 60 degrés. Courbez-le par angles plus petits, ou haubanez-le.</translation>
+        <translation>À la particule %1, un longeron de %2 tourne de %3 degrés et rien d’autre n’y est attaché : il bouge comme sur une charnière, car les longerons ne se prolongent que jusqu’à 60 degrés. Courbez-le par angles plus petits, ou haubanez-le.</translation>
     </message>
     <message>
         <location filename="id_field.cpp"/>
