@@ -9,9 +9,9 @@
 //
 // that of a rod without damping whose rest length is longer by r B and whose compliance is smaller
 // by 1 - r: every solver damps by being given those, implicitly, and nothing bounds the substep.
-// What is slack has no damper: its stretch counts from 0 when it gets tight. For implicit Euler B is
-// then 0. BDF2 would take the kink for half as much speed again, so that it looks back to a third of
-// where the ends would be if they went on, (2 C1 - C2) / 3, or 0.
+// What is slack has no damper: its stretch counts from 0 when it gets tight. For implicit Euler B
+// is then 0. BDF2 would take the kink for half as much speed again, so that it looks back to a
+// third of where the ends would be if they went on, (2 C1 - C2) / 3, or 0.
 #pragma once
 
 #include "parallel/thread_pool.h"
