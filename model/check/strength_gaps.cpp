@@ -8,8 +8,10 @@ namespace {
 bool lacksStrength(const Material& material, const Use& made)
 {
     const bool isFabric = made.threads > 0 || made.elasticPanels > 0;
-    return (made.lines > 0 && !material.lineStrength && !material.breakingMoment)
-           || (isFabric && !material.warpStrength && !material.weftStrength);
+    const bool hasLimit = material.tearRule == TearRule::Force;
+    const bool hasLimitOfFabric = material.tearRule == TearRule::Tension;
+    return (made.lines > 0 && !material.lineStrength && !material.breakingMoment && !hasLimit)
+           || (isFabric && !material.warpStrength && !material.weftStrength && !hasLimitOfFabric);
 }
 
 bool outlastsStrength(const Material& material, const Use& made)

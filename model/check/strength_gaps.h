@@ -9,8 +9,9 @@
 
 namespace ripstop {
 
-// Materials of lines without line strength and breaking moment, and of threads or elastic panels
-// without warp and weft strength, in the order of the scene; at the end noId where there are such
+// Materials of lines without line strength and breaking moment that do not tear by a force either,
+// and of threads or elastic panels without warp and weft strength that do not by a tension, in the
+// order of the scene; at the end noId where there are such
 // elements without a material.
 std::vector<Id> materialsWithoutStrength(const Scene& scene);
 

@@ -25,10 +25,10 @@ public:
         : m_system(system)
     {}
 
-    const Strength& of(std::size_t link)
+    Strength of(std::size_t link)
     {
-        if (m_system.linkStuff.empty())
-            return m_system.strength.front(); // that of no material
+        if (m_system.strength.empty() || m_system.linkStuff.empty())
+            return {}; // that of no material
         const Key material = m_system.linkStuff[link].material;
         if (m_system.materialAir[m_last].key != material) {
             const auto found = std::ranges::find(m_system.materialAir, material, &MaterialAir::key);
@@ -235,7 +235,7 @@ void judgeLinks(const System& system, JudgedPlaces& judged)
 {
     StrengthOfLinks strengths(system);
     for (int i = 0; i < int(system.links.size()); ++i) {
-        const Strength& strength = strengths.of(std::size_t(i));
+        const Strength strength = strengths.of(std::size_t(i));
         const LinkStuff stuff = stuffOf(system, i);
         const bool isThread = stuff.role == LinkRole::Thread && stuff.width > 0.0;
         const double bears = isThread                       ? weaker(strength.warp, strength.weft)
@@ -257,7 +257,7 @@ void judgePanels(const System& system, JudgedPlaces& judged)
         const Membrane& membrane = system.membranes[std::size_t(i)];
         const ClothLaw law = lawOf(system, membrane);
         const auto cloth = std::size_t(system.panels[std::size_t(membrane.panel)].air);
-        Strength strength = system.strength[cloth];
+        Strength strength = system.strength.empty() ? Strength() : system.strength[cloth];
         if (const FabricTear& tear = system.clothTear[cloth]; tear.rule == TearRule::Tension) {
             strength.warp = std::isfinite(tear.warp) ? tear.warp : strength.warp;
             strength.weft = std::isfinite(tear.weft) ? tear.weft : strength.weft;
@@ -337,9 +337,9 @@ JoinedSets chainsOf(const System& system)
 JudgedPlaces judgedPlacesOf(const System& system)
 {
     JudgedPlaces judged;
-    if (system.strength.empty())
-        return judged;
     judge(system, judged);
+    if (judged.isEmpty())
+        return judged;
     JoinedSets chains = chainsOf(system);
     for (int i = 0; i < int(system.links.size()); ++i) {
         judged.linkName.push_back(system.links[std::size_t(i)].key);
@@ -351,10 +351,10 @@ JudgedPlaces judgedPlacesOf(const System& system)
 Margins margins(const System& system, const State& state)
 {
     Margins result;
-    if (system.strength.empty())
-        return result;
     JudgedPlaces judged; // that need no names
     judge(system, judged);
+    if (judged.isEmpty())
+        return result;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     result.link.assign(system.links.size(), none);
     result.panel.assign(system.panels.size(), none);

@@ -17,8 +17,8 @@
 
 namespace ripstop {
 
-// The largest of each link and panel; not a number where its material has no strength of its kind.
-// Both are empty where no material has any.
+// The largest of each link and panel; not a number where its material has no strength of its kind,
+// nor it a limit. Both are empty where nothing has any.
 struct Margins
 {
     std::vector<double> link;  // [links] 1
@@ -60,6 +60,8 @@ struct JudgedPlaces
     std::vector<OfLink> links;
     std::vector<FourPanels> panels;
     std::vector<OfSpar> spars;
+
+    bool isEmpty() const { return links.empty() && panels.empty() && spars.empty(); }
 
     // The names of places. What is of one material is one line as long as no third line ends at a
     // particle of it, and one spar where it bends.

@@ -82,6 +82,9 @@ private slots:
         Chain byMaterial({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, cord);
         byMaterial.scene.settings.safetyFactor = 2.0;
         compareWithin(byMaterial.after(2.0)->worstNow.all()[0].strength, 15.0, 1e-12);
+        byMaterial.stuff().lineStrength.reset(); // which need not be known then
+        compareWithin(byMaterial.after(2.0)->worstNow.all()[0].strength, 15.0, 1e-12);
+        QVERIFY(materialsWithoutStrength(byMaterial.scene).empty());
 
         cord = line(100.0);
         cord.tearRule = TearRule::Strength;
