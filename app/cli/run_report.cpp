@@ -129,8 +129,8 @@ Json placesOf(std::span<const LoadedPlace> listed)
     return places;
 }
 
-// Null where nothing has a strength or a limit: then there is no margin to be near. What has torn as a
-// whole has none any more, and a list of what tore.
+// Null where nothing has a strength or a limit: then there is no margin to be near. What has torn
+// as a whole has none any more, and a list of what tore.
 Json loadsOf(const Frame& frame)
 {
     if (!hasMargins(frame) && frame.worstOfRun.all().empty())

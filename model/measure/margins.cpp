@@ -291,8 +291,21 @@ void judgeSpars(const System& system, JudgedPlaces& judged)
     }
 }
 
+// Most designs without materials have neither strengths nor limits, and need not be gone through
+// at every frame to know it.
+bool mayBreak(const System& system)
+{
+    return !system.strength.empty() || !system.tearableSprings.empty()
+           || !system.tearableRods.empty()
+           || std::ranges::any_of(system.clothTear, [](const FabricTear& tear) {
+                  return tear.rule != TearRule::Never;
+              });
+}
+
 void judge(const System& system, JudgedPlaces& judged)
 {
+    if (!mayBreak(system))
+        return;
     judgeLinks(system, judged);
     judgePanels(system, judged);
     judgeSpars(system, judged);

@@ -248,7 +248,8 @@ bool Simulation::Private::step()
     run.lastGood = run.now;
     const std::size_t tears = run.now.tears.size();
     int substeps = advance(keepsLedger, Peaks::AtEnd);
-    if (snatches.needFinerStep(system(), run.lastGood, run.now, stepper)) {
+    const bool isTooLong = snatches.isTooLong(system(), run.lastGood, run.now, stepper);
+    if (isTooLong && system().solver == Solver::Auto) { // others do what they are told
         const int chosen = run.now.substeps; // for the next step, which may be a usual one
         run.now = run.lastGood;
         const int refinement = stepper.refinement();
@@ -265,7 +266,7 @@ bool Simulation::Private::step()
     } else {
         noteAccuracy(run.now.tears.size() - tears);
         loads.look(system(), run.now, tears);
-        snatches.note(system(), run.lastGood, run.now, stepper);
+        snatches.note(system(), stepper, isTooLong);
         if (loads.hasPeakAfter(run.lastGood.time))
             loads.noteShortfall(run.lastGood.time,
                                 snatches.shortfall(system(), run.lastGood, run.now));

@@ -19,18 +19,11 @@ double takenBy(const Stepper& stepper, const System& system) // J, in the last s
 
 } // namespace
 
-bool SnatchLoads::needFinerStep(const System& system, const State& before, const State& after,
-                                const Stepper& stepper)
-{
-    return system.solver == Solver::Auto && isFastBlow(system, before, after, stepper);
-}
-
-void SnatchLoads::note(const System& system, const State& before, const State& after,
-                       const Stepper& stepper)
+void SnatchLoads::note(const System& system, const Stepper& stepper, bool wasTooLong)
 {
     m_taken[m_next] = takenBy(stepper, system);
     m_next = (m_next + 1) % m_taken.size();
-    const bool isBlow = stepper.hasSnatch() || isFastBlow(system, before, after, stepper);
+    const bool isBlow = stepper.hasSnatch() || wasTooLong;
     m_sinceBlow = isBlow ? 0 : std::min(m_sinceBlow + 1, m_taken.size());
 }
 
@@ -45,8 +38,8 @@ double SnatchLoads::shortfall(const System& system, const State& before, const S
 }
 
 // All of this must be some part of the energy of the motion: light lines get tight all the time.
-bool SnatchLoads::isFastBlow(const System& system, const State& before, const State& after,
-                             const Stepper& stepper)
+bool SnatchLoads::isTooLong(const System& system, const State& before, const State& after,
+                            const Stepper& stepper)
 {
     constexpr double leastOfMotion = 0.001;
     constexpr double mostChange = 0.2;

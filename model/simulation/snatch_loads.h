@@ -32,22 +32,19 @@ public:
     // In how many each substep of a blow is cut.
     static constexpr int finer = 8;
 
-    // Whether they were too long in the last step, which went from one state to the other. Only
-    // Solver::Auto is asked, as others do what they are told.
-    bool needFinerStep(const System& system, const State& before, const State& after,
-                       const Stepper& stepper);
+    // Whether the last step, which went from one state to the other, was of a blow and too long
+    // for it.
+    bool isTooLong(const System& system, const State& before, const State& after,
+                   const Stepper& stepper);
 
-    // After each step.
-    void note(const System& system, const State& before, const State& after,
-              const Stepper& stepper);
+    // After each step, whether it was too long before it was done again, maybe.
+    void note(const System& system, const Stepper& stepper, bool wasTooLong);
 
     // 1, of a load that has its peak in the last step; 0 where there was no blow shortly before, or
     // a run has just begun, as all lines get tight then.
     double shortfall(const System& system, const State& before, const State& after);
 
 private:
-    bool isFastBlow(const System& system, const State& before, const State& after,
-                    const Stepper& stepper);
     double stretchOf(const System& system, const State& state);      // J, of all
     double stretchOfLines(const System& system, const State& state); // J
     std::span<const double> lengths(const System& system, const State& state);

@@ -42,7 +42,8 @@ enum class StepFormula { Euler, Bdf2 };
 
 // Of the last substep, of which `state` is the end. Particles that have met an obstacle in this
 // step do not count, as impacts take energy from what falls. Nor do, with other integrators than
-// BDF2, particles that no rod or panel is at: what springs alone do to them is told without damping.
+// BDF2, particles that no rod or panel is at: what springs alone do to them is told without
+// damping.
 //   start    [particles] m/s, at its start; or empty, where nothing is known
 //   touches  [particles] touchOf() of this step, or empty
 NumericalDamping numericalDampingOf(const System& system, const State& state,

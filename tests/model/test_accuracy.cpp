@@ -91,7 +91,8 @@ private slots:
 
     // 65 kg on 10 m of line of 1 MN bounce with 39 rad/s, of which Euler's method damps w h / 2 =
     // 2 %, h being 1/960 s: a run says so with a remedy that is one, as BDF2 damps (w h)^3 / 4.
-    // Lines that never stretch ring by the solver alone, and have nothing to tell.
+    // Lines that never stretch ring by the solver alone once they hang still, and have nothing to
+    // tell.
     void saysWhatStepsDamp()
     {
         Scene line = *build(

@@ -65,6 +65,18 @@ double largestPull(Scene scene)
                  * std::exp(-z / root * turned);
 }
 
+constexpr double strength = 100.0; // N
+
+// 2 kg that fall half a metre into a line of 1 m.
+Chain fallingWeight()
+{
+    Chain chain({Vec3(0, 0, 0), Vec3(0, -0.5, 0)}, 1, 2.0, line(strength));
+    chain.row().links[0].restLength = 1.0;
+    chain.row().links[0].resists = Resists::Tension;
+    chain.scene.settings.viscosity = 2.0;
+    return chain;
+}
+
 } // namespace
 
 class TestSnatchLoads : public QObject
@@ -95,21 +107,42 @@ private slots:
         const double would = place.load * (place.isAtLeast() ? 1.0 + place.shortfall : 1.0);
         QVERIFY2(std::abs(would - truth) < 0.1 * truth,
                  qPrintable(QString("%1, expected %2").arg(would).arg(truth)));
-        const bool isUsual = rate == 240.0;
-        QVERIFY2(!isUsual || !place.isAtLeast(), qPrintable(QString::number(place.shortfall)));
+        if (rate == 240.0)
+            QVERIFY2(!place.isAtLeast(), qPrintable(QString::number(place.shortfall)));
+        if (rate == 240.0 && segments == 20.0)
+            QVERIFY(place.load * (1.0 + place.shortfall) > truth);
+    }
+
+    // A weight that falls into its line: the run knows the jerk, when the moment has long
+    // forgotten it. Ends of steps show no more of it than it knows, a step before or after.
+    void runRemembersTheJerk()
+    {
+        const Chain chain = fallingWeight();
+        Simulation simulation(*compile(chain.scene));
+        double most = 0.0;
+        double when = 0.0;
+        while (simulation.state().time < 8.0) {
+            QVERIFY(simulation.step());
+            if (const double now = simulation.frame()->linkMargin[0]; now > most) {
+                most = now;
+                when = simulation.state().time;
+            }
+        }
+        const auto frame = simulation.frame();
+        const double weight = 2.0 * chain.scene.settings.gravity.norm() / strength; // 1
+        QVERIFY(most > 2.0 * weight); // a load that comes at once is felt twice, at least
+        QVERIFY(frame->worstOfRun.all()[0].margin() >= most);
+        QVERIFY(std::abs(frame->worstOfRun.all()[0].time - when) <= chain.scene.settings.timeStep);
+        const double now = frame->worstNow.all()[0].margin();
+        QVERIFY2(std::abs(now - weight) < 0.01 * weight, qPrintable(QString::number(now)));
     }
 
     // A damper takes hold at once: of 2 kg that have fallen half a metre, through what takes n of
-    // the speed in a second, it pulls with c v from the first moment on. The run remembers that
-    // when the moment has long forgotten it.
+    // the speed in a second, it pulls with c v from the first moment on.
     void damperTakesHoldAtOnce()
     {
-        constexpr double strength = 100.0; // N
-        Chain chain({Vec3(0, 0, 0), Vec3(0, -0.5, 0)}, 1, 2.0, line(strength));
-        chain.row().links[0].restLength = 1.0;
-        chain.row().links[0].resists = Resists::Tension;
-        const double n = 2.0; // 1/s
-        chain.scene.settings.viscosity = n;
+        Chain chain = fallingWeight();
+        const double n = chain.scene.settings.viscosity; // 1/s
         const double g = chain.scene.settings.gravity.norm();
         double time = 0.0; // s, of the fall
         for (int i = 0; i < 100; ++i)
@@ -118,13 +151,11 @@ private slots:
         const Material& cord = chain.stuff();
         const double truth = *cord.axialStiffness * cord.dampingTime * speed; // of 1 m
 
-        const auto frame = chain.after(8.0);
+        const auto frame = chain.after(0.5);
         const LoadedPlace& place = frame->worstOfRun.all()[0];
         QVERIFY2(std::abs(place.load - truth) < 0.05 * truth,
                  qPrintable(QString("%1, expected %2").arg(place.load).arg(truth)));
         QVERIFY(std::abs(place.time - time) < chain.scene.settings.timeStep);
-        const double now = frame->worstNow.all()[0].load;
-        QVERIFY2(std::abs(now - 2.0 * g) < 0.01 * 2.0 * g, qPrintable(QString::number(now)));
     }
 
     // A cord that bears a tenth less than the blow breaks by it, and one that bears a tenth more
