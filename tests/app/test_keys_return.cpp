@@ -40,12 +40,18 @@ struct OpenWindow : WindowShop
             qFatal("no frame comes");
     }
 
-    // As from the keyboard: to the window, where shortcuts are asked first. Once a dialog is gone
-    // no window is active where there is no window manager, and the server says so late.
-    void type(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    // Once a dialog is gone no window is active where there is no window manager, and the server
+    // says so late.
+    void activateIfNoneIs()
     {
         if (!QApplication::activeWindow())
             QApplication::setActiveWindow(&window);
+    }
+
+    // As from the keyboard: to the window, where shortcuts are asked first.
+    void type(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        activateIfNoneIs();
         QTest::keyClick(QApplication::activeWindow()->windowHandle(), key, modifiers);
     }
 
@@ -124,9 +130,11 @@ QString complaintAfter(OpenWindow& shop, QWidget& widget, Qt::Key end)
         return name + " takes no focus";
     const bool needsControl = isLine(widget) && end != Qt::Key_Escape;
     shop.type(end, needsControl ? Qt::ControlModifier : Qt::NoModifier);
-    if (!QApplication::activeWindow()) // when a dialog is gone
-        QApplication::setActiveWindow(&shop.window);
-    if (!QTest::qWaitFor([&] { return shop.viewport.hasFocus(); })) // the machine may be busy
+    const auto isBack = [&] {
+        shop.activateIfNoneIs();
+        return shop.viewport.hasFocus();
+    };
+    if (!QTest::qWaitFor(isBack)) // the machine may be busy
         return name + " keeps the focus";
     if (end == Qt::Key_Escape)
         return {}; // where the focus is says the rest, as after Enter
