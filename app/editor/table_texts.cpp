@@ -76,8 +76,10 @@ void addDesigns(Collector& texts)
     }
     for (const ConditionKey& key : conditionKeys(measurementOf(nullptr)))
         texts.add(key.help);
-    for (const Preset& preset : allPresets())
-        texts.add(preset.label); // sources are quoted as they are
+    for (const Preset& preset : allPresets()) { // sources are quoted as they are
+        texts.add(preset.label);
+        texts.add(preset.shortLabel);
+    }
 }
 
 void addWork(Collector& texts)

@@ -301,7 +301,7 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
             const bool isCancelled = !goesOn(progress, double(i) / count);
             if (isCancelled || parts.size() == 1)
                 return surface.failure();
-            result.report.addEmptyObject(object);
+            result.report.addNamed(MeshFault::EmptyObjects, object);
             failure = failure ? failure : surface.failure();
             continue;
         }
@@ -312,6 +312,8 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
     }
     if (result.surfaces.empty())
         return *failure;
+    for (const std::string& file : mesh.missingFiles)
+        result.report.addNamed(MeshFault::MissingFiles, file);
     if (stray > 0)
         result.report.add(MeshFault::StrayElements, stray);
     if (result.size.maxCoeff() > largest || result.size.maxCoeff() < smallest)

@@ -32,6 +32,7 @@ const std::array<Words, meshFaultCount> table{{
     {"split_polygons",     MeshGravity::Repaired, Message("1 polygon of more than three corners became triangles."), Message("%1 polygons of more than three corners became triangles.")},
     {"texture_seams",      MeshGravity::Note,     Message("1 vertex lies on a seam of the texture: a picture is printed by the first of its texture points. The warp follows each face."), Message("%1 vertices lie on a seam of the texture: a picture is printed by the first of their texture points. The warp follows each face.")},
     {"empty_objects",      MeshGravity::Repaired, Message("1 object, %1, has no face with an area: left out."), Message("%2 objects, %1 the first, have no face with an area: left out.")},
+    {"missing_files",      MeshGravity::Warning,  Message("1 file of colours or pictures that the mesh names, %1, was not found: the fabric goes without."), Message("%2 files of colours or pictures that the mesh names, %1 the first, were not found: the fabric goes without.")},
     {"stray_elements",     MeshGravity::Note,     Message("1 line or single point of the file was left out."), Message("%1 lines and single points of the file were left out.")},
     {"odd_size",           MeshGravity::Warning,  Message("The mesh is larger than 30 m or smaller than 5 cm: check its unit."), Message("The mesh is larger than 30 m or smaller than 5 cm: check its unit.")},
 }};
@@ -52,7 +53,7 @@ Message MeshFinding::text() const
 {
     if (!told.empty())
         return told;
-    if (fault == MeshFault::EmptyObjects)
+    if (!name.empty())
         return count == 1 ? wordsOf(fault).one.with(name) : wordsOf(fault).many.with(name, count);
     if (count == 1)
         return wordsOf(fault).one;
@@ -89,9 +90,9 @@ void MeshReport::tell(MeshFault fault, Message told)
     m_findings[std::size_t(fault)].told = std::move(told);
 }
 
-void MeshReport::addEmptyObject(const std::string& name)
+void MeshReport::addNamed(MeshFault fault, const std::string& name)
 {
-    MeshFinding& finding = m_findings[std::size_t(MeshFault::EmptyObjects)];
+    MeshFinding& finding = m_findings[std::size_t(fault)];
     if (finding.count++ == 0)
         finding.name = name;
 }

@@ -28,10 +28,11 @@ enum class MeshFault {
     SplitPolygons,     // of more than three corners: made triangles
     TextureSeams,      // vertices with several texture points: the picture keeps the first one
     EmptyObjects,      // without a face that has an area: left out, each by its name
+    MissingFiles,      // of colours and pictures, each by its name: the fabric goes without
     StrayElements,     // lines and single points of the file: left out
     OddSize            // larger than a hall or smaller than a hand: a wrong unit?
 };
-inline constexpr int meshFaultCount = 16;
+inline constexpr int meshFaultCount = 17;
 
 // "loose_vertices", ...: as scripts know them.
 std::string_view meshFaultName(MeshFault fault);
@@ -48,7 +49,7 @@ struct MeshFinding
     std::size_t of = 0;       // rims of open edges, pieces; for others 0
     std::vector<Vec3> places; // m, of the first few, after scale and axes
     Message told;             // in the place of the table's words, where there is more to say
-    std::string name = {};    // of the first object that was left out
+    std::string name = {};    // of the first, for objects and files
 
     // "28 vertices lie on another one: joined."
     Message text() const;
@@ -60,7 +61,7 @@ public:
     void add(MeshFault fault, const Vec3& place, std::size_t count = 1);
     void add(MeshFault fault, std::size_t count);
     void tell(MeshFault fault, Message told); // once
-    void addEmptyObject(const std::string& name);
+    void addNamed(MeshFault fault, const std::string& name);
     void add(const MeshReport& other); // of another object of the same file
     void setOf(MeshFault fault, std::size_t of) { m_findings[std::size_t(fault)].of = of; }
 

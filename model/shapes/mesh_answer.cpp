@@ -24,8 +24,9 @@ inline constexpr auto fieldsOf<PolygonMesh> =
     fields<PolygonMesh, &PolygonMesh::points, &PolygonMesh::first, &PolygonMesh::corners,
            &PolygonMesh::texture, &PolygonMesh::object, &PolygonMesh::material,
            &PolygonMesh::objects, &PolygonMesh::materials, &PolygonMesh::materialFiles,
-           &PolygonMesh::pictures, &PolygonMesh::lines, &PolygonMesh::mass, &PolygonMesh::unit,
-           &PolygonMesh::isUpright, &PolygonMesh::strayElements>;
+           &PolygonMesh::pictures, &PolygonMesh::missingFiles, &PolygonMesh::lines,
+           &PolygonMesh::mass, &PolygonMesh::unit, &PolygonMesh::isUpright,
+           &PolygonMesh::strayElements>;
 
 namespace {
 

@@ -112,9 +112,9 @@ std::optional<std::filesystem::path> fileBelow(const std::filesystem::path& fold
 }
 
 // Those that an OBJ names (mtllib), by a line with blanks in a name or with several names; where
-// none of them is there, that of its own name.
-std::vector<std::filesystem::path> materialFilesOf(const PolygonMesh& mesh,
-                                                   const std::filesystem::path& file)
+// none of them is there, that of its own name. The mesh keeps the names that led nowhere.
+std::vector<std::filesystem::path> takeMaterialFiles(PolygonMesh& mesh,
+                                                     const std::filesystem::path& file)
 {
     std::vector<std::filesystem::path> found;
     const auto take = [&](const std::string& name) {
@@ -126,12 +126,18 @@ std::vector<std::filesystem::path> materialFilesOf(const PolygonMesh& mesh,
     for (const std::string& line : mesh.materialFiles) {
         if (take(line))
             continue;
+        std::vector<std::string> missing;
         std::istringstream words(line);
+        const std::size_t before = found.size();
         for (std::string word; words >> word;)
-            take(word);
+            if (!take(word))
+                missing.push_back(word);
+        if (found.size() == before) // a name with blanks
+            missing = {line};
+        mesh.missingFiles.insert(mesh.missingFiles.end(), missing.begin(), missing.end());
     }
-    if (found.empty())
-        take(file.filename().replace_extension(".mtl").string());
+    if (found.empty() && take(file.filename().replace_extension(".mtl").string()))
+        mesh.missingFiles.clear();
     return found;
 }
 
@@ -143,7 +149,7 @@ Result<PolygonMesh> readObjFile(const std::filesystem::path& file, const Progres
     Result<PolygonMesh> mesh = readObj(*text, file.string(), progress);
     // A missing or broken file of materials is no reason to refuse the mesh.
     if (mesh)
-        for (const std::filesystem::path& colors : materialFilesOf(*mesh, file))
+        for (const std::filesystem::path& colors : takeMaterialFiles(*mesh, file))
             if (const Result<std::string> list = contentOf(colors))
                 readMtl(*list, *mesh);
     return mesh;
@@ -167,7 +173,7 @@ std::string decoded(std::string_view uri)
     return text;
 }
 
-// The places of pictures from here. Those that are not there are left out.
+// The places of pictures from here. Of those that are not there the mesh keeps the names.
 void findPictures(const std::filesystem::path& file, PolygonMesh& mesh)
 {
     nameFilesBeside(file, mesh.pictures);
@@ -188,6 +194,9 @@ void findPictures(const std::filesystem::path& file, PolygonMesh& mesh)
             if (material.picture.empty() && std::filesystem::is_regular_file(picture, error))
                 material.picture = std::filesystem::absolute(picture, error).string();
         }
+        if (material.picture.empty()
+            && std::ranges::find(mesh.missingFiles, named) == mesh.missingFiles.end())
+            mesh.missingFiles.push_back(named);
     }
 }
 

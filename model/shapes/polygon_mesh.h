@@ -53,6 +53,7 @@ struct PolygonMesh
     std::vector<Material> materials;        // names and colours
     std::vector<std::string> materialFiles; // that the file names, as its lines have them
     std::vector<PackedPicture> pictures;    // that lie within the file
+    std::vector<std::string> missingFiles;  // of colours and pictures, which the file names in vain
     std::vector<std::array<int, 2>> lines;  // [lines] the points that each ties, beside the faces
     std::vector<double> mass;               // [points] kg, or empty when the file does not say
     std::optional<double> unit;             // m, when the format or the file says

@@ -5833,6 +5833,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
+        <source>%2 files of colours or pictures that the mesh names, %1 the first, were not found: the fabric goes without.</source>
+        <translation>%2 fichiers de couleurs ou d’images que le maillage nomme, %1 le premier, n’ont pas été trouvés : le tissu s’en passe.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
         <source>%2 objects, %1 the first, have no face with an area: left out.</source>
         <translation>%2 objets, dont %1 le premier, n’ont aucune face d’aire non nulle : écartés.</translation>
     </message>
@@ -5870,6 +5875,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_report.cpp"/>
         <source>1 face was wound against its neighbours: turned over.</source>
         <translation>1 face était orientée contre ses voisines : retournée.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 file of colours or pictures that the mesh names, %1, was not found: the fabric goes without.</source>
+        <translation>Un fichier de couleurs ou d’images que le maillage nomme, %1, n’a pas été trouvé : le tissu s’en passe.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
@@ -10628,6 +10638,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>0.5 oz</source>
+        <translation>0,5 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>0.75 oz</source>
+        <translation>0,75 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>1 adds probes that tell where the energy comes from and where it goes, and a plot of them.</source>
         <translation>1 ajoute des sondes qui disent d’où vient l’énergie et où elle va, et une courbe de celles-ci.</translation>
     </message>
@@ -10683,6 +10703,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>1 in</source>
+        <translation>1 po</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>1 kg on a rod of 1 m, let go at 30 degrees: it swings once in 2.041 s.</source>
         <translation>1 kg sur une tige de 1 m, lâché à 30 degrés : il bat une fois en 2,041 s.</translation>
     </message>
@@ -10703,6 +10728,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>1.5 oz</source>
+        <translation>1,5 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1/2 in</source>
+        <translation>1/2 po</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>10 kg under a cross of 1.1 oz nylon sink at 4.9 m/s; a frame stands for the air that holds the arms apart. Tune the porosity of square and arms, 0 to 0.2: the more air the cloth lets through, the faster it sinks.</source>
         <translation>10 kg sous une croix de nylon de 1,1 oz descendent à 4,9 m/s ; un cadre remplace l’air qui tient les bras écartés. Réglez la porosité du carré et des bras (square, arms), de 0 à 0,2 : plus la toile laisse passer d’air, plus il descend vite.</translation>
     </message>
@@ -10713,6 +10748,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>550 cord</source>
+        <translation>corde 550</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>6 m/s with the gusts of light turbulence after Dryden, on a delta of 0.75 oz. Another seed gives other gusts. Tune the line strength of the line: the jerk of the launch pulls with 120 N, gusts with 50 N, and it breaks at 450 N.</source>
         <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden, sur un delta de 0,75 oz. Une autre graine donne d’autres rafales. Réglez la résistance de la ligne : la secousse du lancement tire avec 120 N, les rafales avec 50 N, et elle rompt à 450 N.</translation>
     </message>
@@ -10720,6 +10760,21 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>65 kg swing on a line of 100 g. Each segment carries 65 000 times its own mass.</source>
         <translation>65 kg balancent sur une ligne de 100 g. Chaque segment porte 65 000 fois sa propre masse.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>7020 II</source>
+        <translation>7020 II</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>7020 III</source>
+        <translation>7020 III</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>9/16 in</source>
+        <translation>9/16 po</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11903,6 +11958,61 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>D 1 mm</source>
+        <translation>D 1 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>D 100 daN</source>
+        <translation>D 100 daN</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>D 150 daN</source>
+        <translation>D 150 daN</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>D 2 mm</source>
+        <translation>D 2 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>D 50 daN</source>
+        <translation>D 50 daN</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>DSL110</source>
+        <translation>DSL110</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>DSL350</source>
+        <translation>DSL350</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>DSL600</source>
+        <translation>DSL600</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>DSL70</source>
+        <translation>DSL70</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dacron 162</source>
+        <translation>Dacron 162</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dacron 210</source>
+        <translation>Dacron 210</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Dacron glider</source>
         <translation>Deltaplane en Dacron</translation>
     </message>
@@ -12558,6 +12668,36 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>GRP 10</source>
+        <translation>GRP 10</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>GRP 3</source>
+        <translation>GRP 3</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>GRP 5</source>
+        <translation>GRP 5</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>GRP 6</source>
+        <translation>GRP 6</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>GRP 8</source>
+        <translation>GRP 8</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>GRP 9</source>
+        <translation>GRP 9</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Gap</source>
         <translation>Écart</translation>
     </message>
@@ -12978,6 +13118,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Icarex</source>
+        <translation>Icarex</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Icarex P31, polyester</source>
         <translation>Icarex P31, polyester</translation>
     </message>
@@ -13078,6 +13223,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Kevlar 3</source>
+        <translation>Kevlar 3</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Kevlar 6</source>
+        <translation>Kevlar 6</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Kevlar cord 1/4 in</source>
         <translation>Cordelette Kevlar 1/4 in</translation>
     </message>
@@ -13130,6 +13285,51 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Kites</source>
         <translation>Cerfs-volants</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC120</source>
+        <translation>LTC120</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC160</source>
+        <translation>LTC160</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC200</source>
+        <translation>LTC200</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC25</source>
+        <translation>LTC25</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC350</source>
+        <translation>LTC350</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC400</source>
+        <translation>LTC400</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC45</source>
+        <translation>LTC45</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC65</source>
+        <translation>LTC65</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>LTC80</source>
+        <translation>LTC80</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13813,6 +14013,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Mylar 25</source>
+        <translation>Mylar 25</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>NTSL200</source>
+        <translation>NTSL200</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Never</source>
         <translation>Jamais</translation>
     </message>
@@ -13875,6 +14085,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Number that the gusts follow from; the same seed gives the same gusts.</source>
         <translation>Nombre dont découlent les rafales ; la même graine donne les mêmes rafales.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Nylite 90</source>
+        <translation>Nylite 90</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14095,6 +14310,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Overhang of a strip over its bending length; with 2 strips come to 41.5 degrees.</source>
         <translation>Porte-à-faux d’une bande, rapporté à sa longueur de flexion ; avec 2 les bandes arrivent à 41,5 degrés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>PA 6.6</source>
+        <translation>PA 6.6</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>PES 50 daN</source>
+        <translation>PES 50 daN</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14998,6 +15223,31 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Skytex 21</source>
+        <translation>Skytex 21</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skytex 27</source>
+        <translation>Skytex 27</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skytex 29</source>
+        <translation>Skytex 29</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skytex 32</source>
+        <translation>Skytex 32</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skytex 38</source>
+        <translation>Skytex 38</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Slack</source>
         <translation>Mou</translation>
     </message>
@@ -15103,6 +15353,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Steel 2.4</source>
+        <translation>acier 2,4</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Steel cable 3/32 in, 7 x 7</source>
         <translation>Câble d’acier 3/32 in, 7 x 7</translation>
     </message>
@@ -15200,6 +15455,36 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Swimwear</source>
         <translation>Maillot de bain</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>TSL140</source>
+        <translation>TSL140</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>TSL190</source>
+        <translation>TSL190</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>TSL280</source>
+        <translation>TSL280</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>TSL380</source>
+        <translation>TSL380</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>TSL500</source>
+        <translation>TSL500</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>TSL90</source>
+        <translation>TSL90</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16183,6 +16468,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>laminate</source>
+        <translation>laminé</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>link</source>
         <translation>liaison</translation>
     </message>
@@ -16358,8 +16648,28 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>rod 2</source>
+        <translation>jonc 2</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>rod 3</source>
+        <translation>jonc 3</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>rod 4</source>
+        <translation>jonc 4</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>settings</source>
         <translation>réglages</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>silnylon</source>
+        <translation>silnylon</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16500,6 +16810,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>wind</source>
         <translation>vent</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>wood 6</source>
+        <translation>bois 6</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>wood 8</source>
+        <translation>bois 8</translation>
     </message>
     <message>
         <location filename="target_rows.cpp"/>

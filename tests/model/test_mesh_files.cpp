@@ -144,7 +144,7 @@ private slots:
         QVERIFY((mesh.size - Vec3(1.0, 2.0, 0.0)).norm() < 1e-6);
     }
 
-    // Pictures of materials are found from the mesh's folder; one that is not there is left out.
+    // Pictures of materials are found from the mesh's folder; one that is not there is told.
     void pictures()
     {
         QVERIFY(QDir(m_folder.path()).mkpath("art"));
@@ -161,6 +161,8 @@ private slots:
         QCOMPARE(flag.materials[0].picture, picture);
         QCOMPARE(flag.materials[1].picture, other.toStdString());
         QCOMPARE(flag.materials[2].picture, std::string());
+        QCOMPARE(flag.missingFiles, std::vector<std::string>{"no.png"});
+        QCOMPARE(preparedOf(flag).report.findings().at(0).name, "no.png");
 
         const PolygonMesh sail = fileOf("sail.gltf", texturedTriangle("art/my%20sail.png"));
         QCOMPARE(sail.materials.front().picture, picture);
@@ -195,7 +197,7 @@ private slots:
 
     // The file of materials that the mesh names, in its folder or below, whatever it is called;
     // with blanks in its name or several on a line. Where none is there, that of the mesh's own
-    // name, and never one elsewhere.
+    // name, and never one elsewhere. What nobody finds is told.
     void materialsAreInTheFileThatIsNamed()
     {
         QVERIFY(QDir(m_folder.path()).mkpath("sails/my colours"));
@@ -203,10 +205,9 @@ private slots:
         write("sails/green.mtl", "newmtl a\nKd 0 1 0\n");
         write("sails/own.mtl", "newmtl a\nKd 0 0 1\n");
         write("outside.mtl", "newmtl a\nKd 1 1 1\n");
+        const QByteArray triangle = "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
         const auto colorOf = [&](const QByteArray& named) {
-            return fileOf("sails/own.obj", named + "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-                .materials.front()
-                .color;
+            return fileOf("sails/own.obj", named + triangle).materials.front().color;
         };
         QCOMPARE(colorOf("mtllib my colours/red one.mtl\n"), std::string("#ff0000"));
         QCOMPARE(colorOf("mtllib green.mtl none.mtl\n"), std::string("#00ff00"));
@@ -216,6 +217,11 @@ private slots:
         QCOMPARE(colorOf("mtllib " + m_folder.filePath("outside.mtl").toUtf8() + "\n"),
                  std::string("#0000ff"));
         QCOMPARE(colorOf(""), std::string("#0000ff"));
+        const auto missing = [&](const QByteArray& named) {
+            return fileOf("sails/lone.obj", "mtllib " + named + triangle).missingFiles;
+        };
+        QCOMPARE(missing("green.mtl none.mtl").at(0), "none.mtl");
+        QCOMPARE(missing("red one.mtl").at(0), "red one.mtl");
     }
 
     void refusals_data()

@@ -55,6 +55,13 @@ QString tradeLabel(const Property& property)
     return labelOf(property);
 }
 
+// Of the library's materials in the language of the editor, of the author's own as it was typed.
+QString spoken(const Preset& preset, std::string_view label)
+{
+    return preset.own ? QString::fromUtf8(label.data(), qsizetype(label.size()))
+                      : translated(label);
+}
+
 } // namespace
 
 TuningRow::TuningRow(Document& document, UsageWatch& usage, LastDirections& directions,
@@ -225,14 +232,11 @@ std::vector<SliderMark> TuningRow::marks() const
             continue;
         QStringList names;
         for (const Preset* preset : mark.presets)
-            names << (preset->own ? QString::fromStdString(preset->label)
-                                  : translated(preset->label));
+            names << spoken(*preset, preset->label);
         const bool hasPresent = std::ranges::find(mark.presets, present) != mark.presets.end();
         const Preset& named = hasPresent ? *present : *mark.presets.front();
-        const std::string_view name = shortLabelOf(named);
         marks.push_back(
-            {placeOf(m_slider.range, mark.value), mark.value,
-             QString::fromUtf8(name.data(), qsizetype(name.size())),
+            {placeOf(m_slider.range, mark.value), mark.value, spoken(named, shortLabelOf(named)),
              tr("%1 %2: %3")
                  .arg(compactNumber(mark.value), QString::fromUtf8(property.unit.data()),
                       names.join(QStringLiteral("; ")))});

@@ -208,7 +208,8 @@ void Transport::refreshRatio()
     const double asked = m_player.speed();
     const double ratio = frame ? frame->realTimeRatio : 0.0;
     const bool moves = m_player.isPlaying() && ratio > 0.0;
-    m_ratio->setText(moves ? ratioText(ratio, 2) : QString(QChar(0x2013))); // dash
+    m_ratio->setText(moves ? ratioText(ratio, ratio < 0.01 ? 4 : 2)
+                           : QString(QChar(0x2013))); // dash
     const bool lags = moves && asked != asFastAsItCan && ratio < keepsUp * asked;
     m_ratio->setToolTip(lags ? tr("Simulated seconds per second of the clock, lately: this machine "
                                   "cannot reach the %1 that is asked for.")
