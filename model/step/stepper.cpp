@@ -2,7 +2,8 @@
 // advance, and then each substep moves controls, fills accelerations, predicts positions, projects
 // rods, takes the velocities over, resolves contact and judges which links tear.
 // Tensions are taken after the last substep, as the mean of the last few. Every few steps the
-// strain that is left decides the next number of substeps.
+// strain that is left decides the next number of substeps, and at once where what is solved
+// together has missed its accuracy.
 #include "step/stepper.h"
 
 #include "base/portable_math.h"
@@ -101,7 +102,8 @@ int Stepper::step(const System& system, State& state)
         noteDamping(system, state, h, 1.0 - m_noted);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
-    if (system.solver == Solver::Auto && state.step % lookEvery == 0)
+    const bool hasMissed = m_plan.together && m_accuracy.ratio(system) > 1.0;
+    if (system.solver == Solver::Auto && (hasMissed || state.step % lookEvery == 0))
         adapt(system, state, chosen);
     m_clock.lap(StepStage::Plan);
     return substeps;
