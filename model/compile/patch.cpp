@@ -31,7 +31,9 @@ public:
     {
         m_system.generation = patch.generation;
         m_system.run = patch.run;
-        m_solver = patch.settings && patch.settings->solver != m_system.solver;
+        m_solver = patch.settings
+                   && (patch.settings->solver != m_system.solver
+                       || patch.settings->timeStep != m_system.timeStep);
         if (patch.settings)
             takeSettings(*patch.settings, m_system);
         for (const auto& [key, material] : patch.materials)

@@ -49,8 +49,13 @@ double DirectSolver::assemble(ThreadPool& pool)
     for (const SparBend& bend : m_bends.bends())
         if (!bend.gone)
             addTriple(bend, m_bends.block(bend), allNodes());
+    m_fabricBends.addPulls({m_move.data(), nodes()});
+    if (!m_fabricBends.empty() && !m_iterates)
+        keepOnGuides({m_move.data(), nodes()}); // as what bars and triples add
     addContacts();
-    return 0.5 * (twice + m_panels.energy() + m_bends.energy() + m_contacts.energy());
+    return 0.5
+           * (twice + m_panels.energy() + m_bends.energy() + m_fabricBends.energy()
+              + m_contacts.energy());
 }
 
 // Each thread goes over all panels and adds what concerns its own nodes, so that what comes
@@ -75,6 +80,8 @@ void DirectSolver::addPanels(std::size_t first, std::size_t last, const NodeRang
         if (panel.gone || !std::ranges::any_of(panel.row, [&](auto row) { return to.has(row); }))
             continue;
         m_panels.fillBlock(i, block);
+        if (!m_fabricBends.empty())
+            m_fabricBends.addBound(panel.membrane, block);
         addTriple(panel, block, to);
     }
 }

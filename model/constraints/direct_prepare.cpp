@@ -59,6 +59,8 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Trip
     m_move.assign(m_particle.size(), Row{});
     m_guess.assign(nodes(), Row{});
     m_from.assign(nodes(), Row{});
+    for (std::vector<Row>* rows : {&m_rest, &m_way, &m_held, &m_sum})
+        rows->assign(m_fabricBends.empty() ? 0 : nodes(), Row{});
     m_contacts.reserve(system.obstacles.empty() ? 0 : nodes());
 }
 
@@ -134,9 +136,11 @@ void DirectSolver::takeBars(const System& system, std::span<const std::uint32_t>
 {
     m_panels = {};
     m_bends = {};
+    m_fabricBends = {};
     if (m_takesTriples) {
         m_panels.prepare(system, row);
         m_bends.prepare(system, row);
+        m_fabricBends.prepare(system, row);
     }
     m_bars.clear();
     for (const int r : m_rods) {
@@ -205,7 +209,8 @@ void DirectSolver::takeGuides(const System& system)
 void DirectSolver::refresh(const System& system)
 {
     if (hasSamePins(system) && m_isOfThreads == isOfThreads(system)
-        && (!m_takesTriples || (m_bends.areOf(system) && m_panels.areOf(system))))
+        && (!m_takesTriples
+            || (m_bends.areOf(system) && m_fabricBends.areOf(system) && m_panels.areOf(system))))
         takeValues(system);
     else
         prepare(system, std::vector<int>(m_rods), m_takesTriples ? Triples::Taken : Triples::Left);

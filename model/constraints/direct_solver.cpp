@@ -1,7 +1,7 @@
 // Newton's method for a block of rods, which direct_prepare.cpp has made ready. project() makes
-// iterations of three stages: assemble() (direct_assemble.cpp), factorise and solve, then
-// arrive() where the move leads, which go() takes less of while it does not bring the sum down.
-// In the end keepCenters() (direct_islands.cpp) takes back what rounding moved the centres of
+// iterations of three stages: assemble() (direct_assemble.cpp), solveForMoves() (direct_moves.cpp),
+// then arrive() where the move leads, which go() takes less of while it does not bring the sum
+// down. In the end keepCenters() (direct_islands.cpp) takes back what rounding moved the centres of
 // islands, and positions and multipliers are handed back.
 #include "constraints/direct_solver.h"
 
@@ -20,11 +20,6 @@ namespace {
 
 constexpr double leastShareOfMove = 1.0 / 64.0;
 
-constexpr int mostIterations = 200;
-constexpr double leftByIterations =
-    0.1;                              // of the accuracy: no pull of a sheet at rest is off by more
-constexpr double longSwing = 2.0;     // steps within a radian of it, squared
-constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
 // Much of it lets pulls settle soon and folds a little later. In wind, what folds pull counts, and
 // with so much of it an iteration may bring only 2 % less of the error: where there are many, each
@@ -54,6 +49,7 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
     });
     m_panels.start(task.system, task.gone, {task.before, task.drift, task.substep, task.h}, pool);
     m_bends.start(task.system, task.torn, task.h);
+    m_fabricBends.start(task.system, task.gone, task.h);
 }
 
 double DirectSolver::startBars(const RodTask& task, std::span<const double> multiplier,
@@ -180,7 +176,7 @@ RIPSTOP_CLONES
 void DirectSolver::guessPushes(const RodTask& task)
 {
     std::copy_n(m_position.begin(), nodes(), m_from.begin());
-    if (!task.contacts || !m_panels.empty() || !m_bends.empty())
+    if (!task.contacts || !m_panels.empty() || !m_bends.empty() || !m_fabricBends.empty())
         return;
     const std::size_t count = m_mass.size();
     const auto* const before = task.before.data();
@@ -221,10 +217,11 @@ void DirectSolver::takeShare(double share)
     }
     m_panels.settle(share);
     m_bends.settle(share);
+    m_fabricBends.settle(share);
     m_contacts.settle(share);
     const ElasticPanels::Account account = m_panels.account();
     m_pulls += account.pulls;
-    m_tripleErrors = account.errors + m_bends.errors();
+    m_tripleErrors = account.errors + m_bends.errors() + m_fabricBends.errors();
 }
 
 bool DirectSolver::hasImpact() const
@@ -263,9 +260,13 @@ void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
             here += part.here;
             nearer += part.nearer;
         });
-    here += m_bends.measure(m_from) + m_contacts.energyAt(m_from);
+    here += m_contacts.energyAt(m_from);
+    std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin()); // pins stay where they are
+    here += m_bends.measure(m_position);
+    std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
     nearer += m_contacts.energyAt(m_position);
     nearer += m_bends.measure(m_position) + m_panels.measure(m_position, pool);
+    m_fabricBends.measure(m_position, pool); // next to nothing of either
     if (nearer < here)
         return;
     std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
@@ -296,47 +297,6 @@ DirectSolver::Starts DirectSolver::startsOf(std::size_t first, std::size_t last)
     return starts;
 }
 
-// Puts the moves in place of the right-hand side.
-bool DirectSolver::solveForMoves(ThreadPool& pool)
-{
-    m_left = 0.0;
-    if (m_iterates && !iterate(pool))
-        return false;
-    if (m_iterates)
-        return true;
-    if (!m_factor.factorize(pool))
-        return false;
-    m_factor.solve(m_move);
-    return true;
-}
-
-// Where iterations are not soon at an end, and there is another way, takes that from now on.
-bool DirectSolver::iterate(ThreadPool& pool)
-{
-    if (!m_grid.factorize(pool))
-        return false;
-    const auto keepOnGuides = [this](std::span<Row> rows) {
-        for (std::size_t i = 0; i < m_guides.size() && i < rows.size(); ++i)
-            moveAlongGuide(i, rows[i]);
-    };
-    const double goal = leftByIterations * m_accuracy * scaleOfErrors();
-    m_left = m_grid.solve({m_move.data(), nodes()}, goal,
-                          m_hasFactor ? m_worthIterating : mostIterations, keepOnGuides, pool);
-    if (m_hasFactor && m_left > goal) {
-        m_left = 0.0;
-        m_iterates = false;
-        assemble(pool);
-    }
-    return true;
-}
-
-// What iterations leave is forces, and moves particles in each of the steps of a slow swing alike.
-// For the share of a swing that a step is, loads move particles by less than pulls give way.
-double DirectSolver::scaleOfErrors() const
-{
-    return std::sqrt(std::clamp(longSwing * m_loads, leastOfPulls * pulls(), pulls()));
-}
-
 // Measures rods, panels and bends with their ends where they are now.
 void DirectSolver::measure(ThreadPool& pool)
 {
@@ -346,14 +306,17 @@ void DirectSolver::measure(ThreadPool& pool)
     });
     m_panels.measure(m_position, pool);
     m_bends.measure(m_position);
+    m_fabricBends.measure(m_position, pool);
     m_contacts.measure(m_position);
 }
 
 // The moves lead along the guides but for rounding errors, which are taken out here.
-void DirectSolver::moveAlongGuides()
+void DirectSolver::moveAlongGuides() { keepOnGuides({m_move.data(), nodes()}); }
+
+void DirectSolver::keepOnGuides(std::span<Row> rows) const
 {
-    for (std::size_t i = 0; i < std::min(m_guides.size(), nodes()); ++i)
-        moveAlongGuide(i, m_move[i]);
+    for (std::size_t i = 0; i < std::min(m_guides.size(), rows.size()); ++i)
+        moveAlongGuide(i, rows[i]);
 }
 
 void DirectSolver::moveAlongGuide(std::size_t row, Row& move) const
@@ -409,9 +372,11 @@ DirectSolver::Arrival DirectSolver::arrive(ThreadPool& pool)
     }
     m_bends.foresee(m_move);
     m_bends.measure(m_position);
+    m_fabricBends.foresee(m_move, pool);
+    m_fabricBends.measure(m_position, pool);
     m_contacts.foresee(m_move);
     m_contacts.measure(m_position);
-    m_tripleErrors += m_bends.errors();
+    m_tripleErrors += m_bends.errors() + m_fabricBends.errors();
     arrival.errors += m_tripleErrors;
     return arrival;
 }
@@ -447,7 +412,9 @@ double DirectSolver::merit() const
         twice += energyOfWay(i);
     for (const Bar& bar : m_bars)
         twice += energyOf(bar);
-    return 0.5 * (twice + m_panels.energy() + m_bends.energy() + m_contacts.energy());
+    return 0.5
+           * (twice + m_panels.energy() + m_bends.energy() + m_fabricBends.energy()
+              + m_contacts.energy());
 }
 
 } // namespace ripstop

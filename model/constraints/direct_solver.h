@@ -1,5 +1,6 @@
 // Solves rods together by Newton's method: all of a system's, or a block of them; and with them the
-// panels that carry a pull (elastic_panels.h) and the bends of spars (spar_bends.h).
+// panels that carry a pull (elastic_panels.h), the bends of spars (spar_bends.h) and those of
+// fabric that bends too stiffly to be a force (fabric_bends.h).
 //
 // In a substep it looks for the positions x that minimise
 //
@@ -43,6 +44,7 @@
 #include "constraints/bar.h"
 #include "constraints/block_cholesky.h"
 #include "constraints/elastic_panels.h"
+#include "constraints/fabric_bends.h"
 #include "constraints/held_contacts.h"
 #include "constraints/multigrid.h"
 #include "constraints/spar_bends.h"
@@ -90,7 +92,10 @@ public:
     // J, twice the energy that errors are compared with at least: they matter by a tenth of the
     // weight where pulls are less.
     double leastEnergy() const { return m_h > 0.0 ? m_leastPulls / (m_h * m_h) : 0.0; }
-    bool isEmpty() const { return m_bars.empty() && m_panels.empty() && m_bends.empty(); }
+    bool isEmpty() const
+    {
+        return m_bars.empty() && m_panels.empty() && m_bends.empty() && m_fabricBends.empty();
+    }
 
     // Whether something met its load in the last project(): a line or a strut, one that resists one
     // way only and stopped its ends (bar.h), or a particle an obstacle.
@@ -156,7 +161,11 @@ private:
     double foreseenPull(const Bar& bar, const RodTask& task) const; // kg m
     bool solveForMoves(ThreadPool& pool);
     bool iterate(ThreadPool& pool);
-    double scaleOfErrors() const; // sqrt(kg) m
+    void solveWithBends(ThreadPool& pool);
+    double addBeyond(std::span<const Row> x, std::span<Row> y, ThreadPool& pool);
+    void keepOnGuides(std::span<Row> rows) const;
+    double goalOfIterations() const; // sqrt(kg) m
+    double scaleOfErrors() const;    // sqrt(kg) m
     double pullsThatMatter(const System& system) const;
     double pulls() const { return std::max(m_pulls, m_leastPulls); } // kg m^2
     double energyOfWay(std::size_t node) const;
@@ -213,6 +222,7 @@ private:
     bool m_takesTriples = false;
     ElasticPanels m_panels;
     SparBends m_bends;
+    FabricBends m_fabricBends;
     HeldContacts m_contacts;
     double m_tripleErrors = 0.0; // kg m^2, the sum of what their pulls differ by from their law
     std::vector<int> m_particle; // [rows] particle; nodes first, then pins
@@ -227,6 +237,7 @@ private:
     std::vector<Row> m_guess;             // [nodes] m, y above
     std::vector<Row> m_from;              // [nodes] m, before the iteration
     std::vector<Row> m_move;              // [rows] the right-hand side, then m
+    std::vector<Row> m_rest, m_way, m_held, m_sum; // [nodes] of solveWithBends()
 };
 
 // Twice what a node is of the sum that is minimised, kg m^2.

@@ -356,7 +356,8 @@ double Multigrid::dot(const Row* a, const Row* b, ThreadPool& pool)
 }
 
 double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
-                        const std::function<void(std::span<Row>)>& keep, ThreadPool& pool)
+                        const std::function<void(std::span<Row>)>& keep, ThreadPool& pool,
+                        const Beyond& beyond)
 {
     const std::size_t count = nodes();
     Level& finest = m_levels[0];
@@ -366,6 +367,23 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
     double enough = goal * goal;
     double now = 0.0; // the square of the error's energy, as the cycle estimates it
     int taken = 0;
+    bool isWhole = !beyond; // what is solved now
+    // Goes on to the whole matrix where the blocks alone leave too much: the energy of the error is
+    // at most x times what is beyond them.
+    const auto isDone = [&] {
+        if (isWhole)
+            return true;
+        isWhole = true;
+        std::ranges::fill(m_q, Row{});
+        const double root = std::sqrt(now) + std::sqrt(std::max(-beyond(m_x, m_q), 0.0));
+        if (root * root <= enough) {
+            now = root * root;
+            return true;
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            pack(m_r[i].v) -= pack(m_q[i].v);
+        return false;
+    };
     for (double before = 0.0;; ++taken) {
         cycle(0, m_r.data(), pool);
         keep(finest.x);
@@ -373,23 +391,32 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
         now = dot(m_r.data(), z, pool);
         if (taken == 0)
             enough = std::max(enough, nothing * nothing * now);
-        if (!(now > enough) || taken == mostIterations)
+        const bool isNear = !(now > enough);
+        if (isNear ? isDone() : taken >= mostIterations)
             break;
-        const double fall = taken == 0 ? usualFall : std::max(now / before, usualFall);
-        const double share = taken == 0 ? 0.0 : now / before;
+        if (isNear) {
+            before = 0.0;
+            continue;
+        }
+        const double fall = before == 0.0 ? usualFall : std::max(now / before, usualFall);
+        const double share = before == 0.0 ? 0.0 : now / before;
         before = now;
         pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i)
                 pack(m_p[i].v) = pack(z[i].v) + share * pack(m_p[i].v);
         });
-        const double step = now / multiply(finest, m_p.data(), m_q.data(), pool);
+        double held = multiply(finest, m_p.data(), m_q.data(), pool);
+        if (isWhole && beyond)
+            held += beyond(m_p, m_q);
+        const double step = now / held;
         keep(m_q); // and p has nothing of what that takes out
         pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i)
                 pack(m_x[i].v) += step * pack(m_p[i].v);
         });
         // The next cycle would show what is left. It is not needed where the fall so far tells it.
-        if (now * fall * toSpare < enough) {
+        const bool tells = now * fall * toSpare < enough;
+        if (tells && isWhole) {
             now *= fall;
             ++taken;
             break;
@@ -398,6 +425,14 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
             for (std::size_t i = first; i < last; ++i)
                 pack(m_r[i].v) -= step * pack(m_q[i].v);
         });
+        if (!tells)
+            continue;
+        now *= fall;
+        if (isDone()) {
+            ++taken;
+            break;
+        }
+        before = 0.0;
     }
     std::copy(m_x.begin(), m_x.end(), x.begin());
     m_iterations = taken;

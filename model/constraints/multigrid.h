@@ -67,9 +67,14 @@ public:
     // Solves for `x`, [nodes], given the right-hand side in it, until the error of x, as its energy
     // sqrt(e^T A e) is estimated by the cycle, is at most `goal` or next to nothing of that of 0.
     // Returns that estimate of the error that is left; iterations() tells how many it took.
-    //   keep  takes out of rows, [nodes], what x may not have; a projection
+    //   keep    takes out of rows, [nodes], what x may not have; a projection
+    //   beyond  adds to y what else the matrix is than its blocks, times x, and returns x times
+    //           that; symmetric and not positive, so that the blocks are a bound. It is asked only
+    //           where the error without it may matter. Or empty
+    using Beyond = std::function<double(std::span<const Row> x, std::span<Row> y)>;
     double solve(std::span<Row> x, double goal, int mostIterations,
-                 const std::function<void(std::span<Row>)>& keep, ThreadPool& pool);
+                 const std::function<void(std::span<Row>)>& keep, ThreadPool& pool,
+                 const Beyond& beyond = {});
 
     int iterations() const { return m_iterations; } // of the last solve()
 

@@ -1,5 +1,6 @@
 #include "derived/bending.h"
 
+#include "derived/flat_panel.h"
 #include "derived/material_of.h"
 
 #include <algorithm>
@@ -29,11 +30,13 @@ std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,
     if (isLimp(scene))
         return {};
     BendingNet net;
+    std::vector<double> mass;
     net.solvesTogether = solvesTogether(scene.settings.solver);
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& row : part.particles) {
             net.position.push_back(row.position);
             net.pinned.push_back(row.pinned);
+            mass.push_back(row.pinned ? 0.0 : row.mass);
         }
         for (const Panel& row : part.panels) {
             const std::array corner{index.particle(row.a), index.particle(row.b),
@@ -49,7 +52,12 @@ std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,
                                      bendingOf(scene, index, row.material), isRod(row)});
         }
     });
-    return bendSums(bendsOf(net), net.position.size());
+    const std::vector<Bend> bends = bendsOf(net);
+    std::span forces = std::span(bends).first(countOfForces(bends));
+    if (scene.settings.solver == Solver::Auto && hasElasticPanels(scene)
+        && fabricBendsStiffly(bends, mass, scene.settings.timeStep))
+        forces = forces.subspan(countOfFabric(bends));
+    return bendSums(forces, net.position.size());
 }
 
 } // namespace ripstop

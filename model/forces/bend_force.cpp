@@ -1,16 +1,12 @@
 // Bending of the fabric and spars of a system, as far as it is a force.
 //
 // BendForce::list() describes a finished system as a network of panels and links and lets
-// bendsAndPanelsOf() (laws/bend.h) find the bends. fillBends() goes over the panels three times, as
-// each needs of those beside it what the time before has found: their normals N = X / |X| with
-// X = (b - a) x (c - a), then moments B A G, and then loads. A moment M on the normal is
-// Q = (M - N (N . M)) / |X| on X, and with it Q x e on a corner, e being the side across from it.
-// The sums at particles are the lane's. bendingEnergy() is the energy whose slope these forces are.
+// bendsAndPanelsOf() (laws/bend.h) find the bends, and says which of them the solver takes. The
+// rest pull in one lane: panels first (laws/fabric_bending.h), then spars.
 #include "forces/bend_force.h"
 
 #include "base/key_index.h"
 #include "forces/force.h"
-#include "parallel/simd_pack.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,45 +16,29 @@
 namespace ripstop {
 namespace {
 
-struct BendWork
-{
-    const BentPanel* panels;
-    const std::uint8_t* panelGone; // [panels of the system]
-    const PaddedVec3* position;    // [particles] m
-    PaddedVec3* normal;            // of a BendScratch, as all that follows
-    double* perArea;
-    PaddedVec3* bending;
-    PaddedVec3* load;
-    bool torn; // some panel is gone
-};
-
-BendWork workOf(const System& system, const State& state, BendScratch& bends)
-{
-    return {system.of<BendLists>().panels.data(),
-            state.panelGone.data(),
-            state.position.data(),
-            bends.normal.data(),
-            bends.perArea.data(),
-            bends.bending.data(),
-            bends.load.data(),
-            std::ranges::find(state.panelGone, 1) != state.panelGone.end()};
-}
-
-} // namespace
-} // namespace ripstop
-
-#define RIPSTOP_KERNEL "forces/bend_kernel.inl"
-#include "parallel/for_each_machine.inl"
-
-namespace ripstop {
-namespace {
-
 // Of the spar `i` that is a force.
 void fillLoads(const System& system, const State& state, BendScratch& bends, std::size_t i)
 {
     const BendLists& lists = system.of<BendLists>();
     std::ranges::copy(pullsOfSpar(system, state, lists.spars()[i]),
-                      &bends.load[3 * (lists.panels.size() + i)]);
+                      &bends.load[3 * (lists.pullingPanels().size() + i)]);
+}
+
+struct AllOfFabric // also what is solved together with other panels
+{
+    FabricBending bending;
+    std::vector<PaddedVec3> load; // [panels] N, three of each
+};
+
+AllOfFabric ofFabric(const System& system, const State& state)
+{
+    const std::vector<BentPanel>& panels = system.of<BendLists>().panels;
+    AllOfFabric all;
+    all.bending.size(panels.size());
+    all.load.resize(3 * panels.size());
+    ThreadPool alone(1);
+    all.bending.fill(panels, state.panelGone, state.position.data(), all.load.data(), alone);
+    return all;
 }
 
 BendingNet bendingNetOf(const System& system)
@@ -88,6 +68,15 @@ BendingNet bendingNetOf(const System& system)
     return net;
 }
 
+bool allCarryPulls(const System& system, std::span<const BentPanel> panels)
+{
+    std::vector<std::uint8_t> carries(system.panels.size(), 0);
+    for (const Membrane& membrane : system.membranes)
+        carries[std::size_t(membrane.panel)] = 1;
+    return std::ranges::all_of(
+        panels, [&](const BentPanel& panel) { return carries[std::size_t(panel.panel)] != 0; });
+}
+
 class BendForce final : public Force
 {
 public:
@@ -95,7 +84,7 @@ public:
     ForceKind kind() const override { return ForceKind::Elastic; }
     bool acts(const System& system, const State&) const override
     {
-        return system.of<BendLists>().forces() > 0;
+        return system.of<BendLists>().arePulling();
     }
     bool hangsOn(const Edited& e) const override
     {
@@ -110,11 +99,12 @@ public:
     }
     bool boundsSubstep(const System& system) const override
     {
-        return system.of<BendLists>().forces() > 0;
+        return system.of<BendLists>().arePulling();
     }
     bool joinsRods(const System& system) const override
     {
-        return !system.of<BendLists>().withRods().empty();
+        const BendLists& bends = system.of<BendLists>();
+        return !bends.withRods().empty() || !bends.solvedPanels().empty();
     }
     void addStiffness(const System& system, std::span<double> stiffness,
                       std::span<double>) const override;
@@ -132,10 +122,15 @@ void BendForce::list(System& system) const
     BendsAndPanels found = bendsAndPanelsOf(bendingNetOf(system));
     bends.list = std::move(found.bends);
     bends.panels = std::move(found.panels);
-    if (bends.forces() == 0)
+    std::vector<double> mass;
+    for (const double w : system.inverseMass)
+        mass.push_back(w > 0.0 ? 1.0 / w : 0.0);
+    bends.panelsAreSolved = system.solver == Solver::Auto && allCarryPulls(system, bends.panels)
+                            && fabricBendsStiffly(bends.list, mass, system.timeStep);
+    if (!bends.arePulling())
         return;
     std::vector<int> corners; // particles
-    for (const BentPanel& panel : bends.panels)
+    for (const BentPanel& panel : bends.pullingPanels())
         corners.insert(corners.end(), panel.corner.begin(), panel.corner.end());
     for (const Bend& bend : bends.spars())
         corners.insert(corners.end(), bend.corner.begin(), bend.corner.begin() + 3);
@@ -157,7 +152,7 @@ Lane BendForce::fill(const System& system, const State& state, ThreadPool& pool)
 void BendForce::addStiffness(const System& system, std::span<double> stiffness,
                              std::span<double>) const
 {
-    const std::vector<double> sums = bendSums(system.of<BendLists>().list, stiffness.size());
+    const std::vector<double> sums = bendSums(system.of<BendLists>().forces(), stiffness.size());
     for (std::size_t i = 0; i < sums.size(); ++i)
         stiffness[i] += sums[i];
 }
@@ -166,11 +161,8 @@ void BendForce::addStiffness(const System& system, std::span<double> stiffness,
 
 void BendScratch::size(const BendLists& bends)
 {
-    const std::size_t panels = bends.panels.size();
-    normal.resize(panels);
-    perArea.resize(panels);
-    bending.resize(2 * panels);
-    load.resize(3 * (panels + bends.spars().size()));
+    fabric.size(bends.pullingPanels().size());
+    load.resize(3 * (bends.pullingPanels().size() + bends.spars().size()));
 }
 
 std::array<Vec3, 2> waysOf(const Bend& spar, const State& state)
@@ -206,12 +198,8 @@ double bendingMoment(const System& system, const State& state, const Bend& spar)
 void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends)
 {
     const BendLists& lists = system.of<BendLists>();
-    const BendWork work = workOf(system, state, bends);
-    for (const auto fill : {wideMachine ? wide::fillNormals : anywhere::fillNormals,
-                            wideMachine ? wide::fillBending : anywhere::fillBending,
-                            wideMachine ? wide::fillLoads : anywhere::fillLoads})
-        pool.parallelFor(lists.panels.size(),
-                         [&](std::size_t first, std::size_t last) { fill(work, first, last); });
+    bends.fabric.fill(lists.pullingPanels(), state.panelGone, state.position.data(),
+                      bends.load.data(), pool);
     pool.parallelFor(lists.spars().size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             fillLoads(system, state, bends, i);
@@ -221,16 +209,7 @@ void fillBends(const System& system, const State& state, ThreadPool& pool, BendS
 double bendingEnergy(const System& system, const State& state)
 {
     const BendLists& lists = system.of<BendLists>();
-    BendScratch bends;
-    bends.size(lists);
-    ThreadPool alone(1);
-    fillBends(system, state, alone, bends);
-    double energy = 0.0;
-    for (std::size_t i = 0; i < lists.panels.size(); ++i)
-        if (const double stiffness = lists.panels[i].stiffness; stiffness > 0.0)
-            energy +=
-                0.5 / stiffness
-                * (bends.bending[2 * i].squaredNorm() + bends.bending[2 * i + 1].squaredNorm());
+    double energy = ofFabric(system, state).bending.energy(lists.panels);
     for (const Bend& bend : lists.ofSpars()) {
         if (isCut(system, state, bend))
             continue;
@@ -243,24 +222,17 @@ std::vector<Vec3> pullsOfBends(const System& system, const State& state)
 {
     const BendLists& lists = system.of<BendLists>();
     std::vector<Vec3> pulls(state.position.size(), Vec3::Zero());
-    BendScratch bends;
-    bends.size(lists);
-    ThreadPool alone(1);
-    fillBends(system, state, alone, bends);
     const auto add = [&](const auto& corner, const auto* load) {
         for (std::size_t k = 0; k < 3; ++k)
             pulls[std::size_t(corner[k])] += load[k];
     };
-    const PaddedVec3* load = bends.load.data();
+    const std::vector<PaddedVec3> loads = ofFabric(system, state).load;
+    const PaddedVec3* load = loads.data();
     for (const BentPanel& panel : lists.panels) {
         add(panel.corner, load);
         load += 3;
     }
-    for (const Bend& spar : lists.spars()) {
-        add(spar.corner, load);
-        load += 3;
-    }
-    for (const Bend& spar : lists.withRods())
+    for (const Bend& spar : lists.ofSpars())
         add(spar.corner, pullsOfSpar(system, state, spar).data());
     return pulls;
 }

@@ -2,6 +2,7 @@
 // not change where all moves or turns together, the forces have neither a sum nor a torque.
 #pragma once
 
+#include "laws/fabric_bending.h"
 #include "parallel/thread_pool.h"
 #include "system/system.h"
 
@@ -13,11 +14,8 @@ namespace ripstop {
 // What the bends that are forces are between; all of it is filled anew each time.
 struct BendScratch
 {
-    std::vector<PaddedVec3> normal;  // [BendLists::panels] 1
-    std::vector<double> perArea;     // [BendLists::panels] 1/m^2, of twice the area; less than 0
-                                     // where it counts as more than it is, 0 of what is gone
-    std::vector<PaddedVec3> bending; // [BendLists::panels] N m^2, two each: B A G
-    std::vector<PaddedVec3> load;    // [BendLists::panels, then spars()] N, three each: of corners
+    FabricBending fabric;
+    std::vector<PaddedVec3> load; // [BendLists::pullingPanels(), then spars()] N, three each
 
     void size(const BendLists& bends);
 };

@@ -9,6 +9,7 @@
 #include "laws/bend.h"
 
 #include "laws/joined_spars.h"
+#include "laws/step_limit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -314,9 +315,8 @@ std::size_t countOfForces(const std::vector<Bend>& bends)
     return std::size_t(std::ranges::partition_point(bends, isForce) - bends.begin());
 }
 
-std::vector<double> bendSums(const std::vector<Bend>& all, std::size_t particles)
+std::vector<double> bendSums(std::span<const Bend> bends, std::size_t particles)
 {
-    const std::span bends = std::span(all).first(countOfForces(all));
     std::vector<double> sums(particles, 0.0);
     if (bends.empty())
         return sums;
@@ -356,6 +356,19 @@ std::vector<double> bendSums(const std::vector<Bend>& all, std::size_t particles
             sums[i] += 0.5 * std::abs(std::exchange(row[std::size_t(column)], 0.0));
     }
     return sums;
+}
+
+bool fabricBendsStiffly(const std::vector<Bend>& bends, std::span<const double> mass,
+                        double timeStep)
+{
+    const std::vector<double> sums =
+        bendSums(std::span(bends).first(countOfFabric(bends)), mass.size());
+    for (std::size_t i = 0; i < mass.size(); ++i)
+        if (mass[i] > 0.0
+            && springStepLimit(mass[i], sums[i], 0.0, Integrator::SemiImplicitEuler)
+                   < slowBends * timeStep)
+            return true;
+    return false;
 }
 
 } // namespace ripstop

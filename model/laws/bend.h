@@ -53,6 +53,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ripstop {
@@ -164,7 +165,15 @@ BendsAndPanels bendsAndPanelsOf(const BendingNet& net);
 std::size_t countOfFabric(const std::vector<Bend>& bends);
 std::size_t countOfForces(const std::vector<Bend>& bends);
 
-// What bending as a force asks of the step (step_limit.h) at each particle, N/m, as springs would.
-std::vector<double> bendSums(const std::vector<Bend>& bends, std::size_t particles);
+// What these bends ask of the step (step_limit.h) as forces at each particle, N/m, as springs
+// would.
+std::vector<double> bendSums(std::span<const Bend> bends, std::size_t particles);
+
+// Whether the fabric among them bends too stiffly to be a force in whole time steps of BDF2, so
+// that it is better solved together with what carries its pull.
+//   mass      [particles]  kg, or 0 of what is pinned
+//   timeStep  s
+bool fabricBendsStiffly(const std::vector<Bend>& bends, std::span<const double> mass,
+                        double timeStep);
 
 } // namespace ripstop

@@ -18,6 +18,9 @@
 
 namespace ripstop {
 
+// Substeps of BDF2 that what bends has to be stable for as a force, by the limit below.
+constexpr double slowBends = 2.0;
+
 // What substeps that are chosen keep to spare of their limit, as forces change in flight.
 constexpr double spareOfSubsteps = 1.05;
 

@@ -27,7 +27,6 @@ namespace {
 
 constexpr double safety = 1.5;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
-constexpr double slowBends = 2.0;         // substeps of BDF2 that what bends is stable for
 constexpr double manySubsteps = 100.0;    // in 10 ms
 constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network
 constexpr double manyForPull = 40.0;

@@ -52,14 +52,31 @@ struct BendLists
 {
     std::vector<Bend> list;        // where what bends stiffly can bend
     std::vector<BentPanel> panels; // that bend
-    Rows at;                       // [particles] corners of panels and then of spars(), by three
+    bool panelsAreSolved = false;  // with those that carry the pull, instead of being forces
+    Rows at; // [particles] corners of pullingPanels() and then of spars(), by three
 
-    std::size_t forces() const { return countOfForces(list); } // the first of the list
-    std::span<const Bend> withRods() const { return std::span(list).subspan(forces()); }
-    std::span<const Bend> spars() const // that are forces
+    // What pulls as a force.
+    std::span<const Bend> forces() const
     {
-        return std::span(list).first(forces()).subspan(countOfFabric(list));
+        const std::span all = std::span(list).first(countOfForces(list));
+        return panelsAreSolved ? all.subspan(countOfFabric(list)) : all;
     }
+    bool arePulling() const { return !forces().empty(); }
+    std::span<const BentPanel> pullingPanels() const
+    {
+        return panelsAreSolved ? std::span<const BentPanel>() : panels;
+    }
+    std::span<const Bend> spars() const
+    {
+        return std::span(list).first(countOfForces(list)).subspan(countOfFabric(list));
+    }
+
+    // What is solved together with rods.
+    std::span<const BentPanel> solvedPanels() const
+    {
+        return panelsAreSolved ? panels : std::span<const BentPanel>();
+    }
+    std::span<const Bend> withRods() const { return std::span(list).subspan(countOfForces(list)); }
 
     std::span<const Bend> ofSpars() const { return std::span(list).subspan(countOfFabric(list)); }
 

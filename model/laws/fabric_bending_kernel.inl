@@ -1,4 +1,4 @@
-// Bending of fabric, four panels at a time where it pays; see bend_force.cpp.
+// Bending of fabric, four panels at a time where it pays; see fabric_bending.cpp.
 //
 // What a panel gets does not depend on the three beside it, so threads may cut the panels anywhere.
 
@@ -50,9 +50,9 @@ void fillNormals(const BendWork& work, std::size_t first, std::size_t last)
         const FourSides sides = fourSides(work.position, four.panel);
         const Coordinates normal = cross(sides.side[0], sides.side[1]);
         const Pack square = dot(normal, normal);
-        const Pack least = largest(
-            largest(leastOf(sides, four.panel, 0), leastOf(sides, four.panel, 1)),
-            largest(leastOf(sides, four.panel, 2), point));
+        const Pack least =
+            largest(largest(leastOf(sides, four.panel, 0), leastOf(sides, four.panel, 1)),
+                    largest(leastOf(sides, four.panel, 2), point));
         const Mask isLess = square < least;
         const Pack perArea = all(1.0) / root(isLess ? least : square);
         store(perArea * normal, work.normal[four.row[0]], work.normal[four.row[1]],
@@ -79,7 +79,7 @@ RIPSTOP_INLINE double dot(const Pack& a, const Pack& b)
 template <bool torn>
 RIPSTOP_INLINE void fillBendingOf(const BendWork& work, std::size_t first, std::size_t last)
 {
-    const PaddedVec3* const normals = work.normal;
+    const PaddedVec3* const normals = work.turn;
     PaddedVec3* bending = work.bending + 2 * first;
     for (std::size_t i = first; i < last; ++i, bending += 2) {
         const BentPanel& panel = work.panels[i];
@@ -96,6 +96,24 @@ RIPSTOP_INLINE void fillBendingOf(const BendWork& work, std::size_t first, std::
         const Pack stiffness = all(torn && work.perArea[i] == 0.0 ? 0.0 : panel.stiffness);
         pack(bending[0]) = stiffness * along;
         pack(bending[1]) = stiffness * across;
+    }
+}
+
+// How normals turn as corners go their ways.
+void fillTurns(const BendWork& work, std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i) {
+        const std::array<int, 3>& corner = work.panels[i].corner;
+        const auto side = [&](const PaddedVec3* x, std::size_t k) -> Pack {
+            return pack(x[corner[k]]) - pack(x[corner[0]]);
+        };
+        const Pack change = cross(side(work.way, 1), side(work.position, 2))
+                            + cross(side(work.position, 1), side(work.way, 2));
+        const Pack normal = pack(work.normal[i]);
+        const double perArea = work.perArea[i];
+        pack(work.turn[i]) = perArea < 0.0
+                                 ? all(-perArea) * change
+                                 : all(perArea) * fused(all(-dot(normal, change)), normal, change);
     }
 }
 
@@ -152,28 +170,32 @@ __attribute__((noinline)) void addAlongSide(const BendWork& work, std::size_t i,
     pack(work.load[3 * i + (over + 2) % 3]) += pull;
 }
 
+// Puts what a moment on the normal pulls with at the corners into three rows.
+//   left  N m, of the moment along the normal
+RIPSTOP_INLINE void putLoads(const BendWork& work, std::size_t i, const Pack& moment, double left)
+{
+    const PaddedVec3* const x = work.position;
+    const BentPanel& panel = work.panels[i];
+    const bool isLess = work.perArea[i] < 0.0;
+    const Pack pull = all(isLess ? -work.perArea[i] : work.perArea[i])
+                      * fused(all(isLess ? 0.0 : -left), pack(work.normal[i]), moment);
+    const Pack corner = pack(x[panel.corner[2]]);
+    const Pack a = cross(corner - pack(x[panel.corner[1]]), pull);
+    const Pack b = cross(pack(x[panel.corner[0]]) - corner, pull);
+    PaddedVec3* const load = work.load + 3 * i;
+    pack(load[0]) = a;
+    pack(load[1]) = b;
+    pack(load[2]) = -(a + b);
+}
+
 template <bool torn>
 RIPSTOP_INLINE void fillLoadsOf(const BendWork& work, std::size_t first, std::size_t last)
 {
-    const PaddedVec3* const x = work.position;
-    const PaddedVec3* const bending = work.bending;
-    const double* const perArea = work.perArea;
-    PaddedVec3* load = work.load + 3 * first;
-    for (std::size_t i = first; i < last; ++i, load += 3) {
-        const BentPanel& panel = work.panels[i];
-        const Pack normal = pack(work.normal[i]);
-        const Pack moment = momentOf<torn>(panel, i, bending, perArea);
-        const double left = dot(normal, moment);
-        const bool isLess = perArea[i] < 0.0;
-        const Pack pull = all(isLess ? -perArea[i] : perArea[i])
-                          * fused(all(isLess ? 0.0 : -left), normal, moment);
-        const Pack corner = pack(x[panel.corner[2]]);
-        const Pack a = cross(corner - pack(x[panel.corner[1]]), pull);
-        const Pack b = cross(pack(x[panel.corner[0]]) - corner, pull);
-        pack(load[0]) = a;
-        pack(load[1]) = b;
-        pack(load[2]) = -(a + b);
-        if (isLess)
+    for (std::size_t i = first; i < last; ++i) {
+        const Pack moment = momentOf<torn>(work.panels[i], i, work.bending, work.perArea);
+        const double left = dot(pack(work.normal[i]), moment);
+        putLoads(work, i, moment, left);
+        if (work.perArea[i] < 0.0)
             addAlongSide(work, i, left);
     }
 }
@@ -181,4 +203,21 @@ RIPSTOP_INLINE void fillLoadsOf(const BendWork& work, std::size_t first, std::si
 void fillLoads(const BendWork& work, std::size_t first, std::size_t last)
 {
     work.torn ? fillLoadsOf<true>(work, first, last) : fillLoadsOf<false>(work, first, last);
+}
+
+template <bool torn>
+RIPSTOP_INLINE void fillLoadChangesOf(const BendWork& work, std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i) {
+        Pack moment = momentOf<torn>(work.panels[i], i, work.bending, work.perArea);
+        if (work.less)
+            moment = fused(all(-work.less[i]), pack(work.turn[i]), moment);
+        putLoads(work, i, moment, dot(pack(work.normal[i]), moment));
+    }
+}
+
+void fillLoadChanges(const BendWork& work, std::size_t first, std::size_t last)
+{
+    work.torn ? fillLoadChangesOf<true>(work, first, last)
+              : fillLoadChangesOf<false>(work, first, last);
 }
