@@ -60,10 +60,15 @@ bool Stepper::solvesContact(const System& system) const
            && (isImplicit(m_integrator) || m_integrator == Integrator::SemiImplicitEuler);
 }
 
+// What BDF2 has missed once, as where cloth flaps or lands, it would miss again soon: it takes
+// fewer substeps only after a while.
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
-    state.substeps = std::max(adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system)),
-                              substepsForDamping(system, state));
+    constexpr int whileOf = 64; // steps
+    int next = adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system));
+    if (m_plan.together && m_integrator == Integrator::Bdf2 && state.step % whileOf != 0)
+        next = std::max(next, substeps);
+    state.substeps = std::max(next, substepsForDamping(system, state));
 }
 
 // BDF2 begins with implicit Euler, which takes (w h)^2 of the energy of a swing each time. So the
