@@ -6,7 +6,6 @@
 #include "check/step_limits.h"
 #include "compile/compile.h"
 #include "compile/patch.h"
-#include "derived/flat_panel.h"
 #include "scene/element_index.h"
 #include "system/system_memory.h"
 
@@ -21,6 +20,15 @@ bool hasCanopies(const Scene& scene)
 {
     bool some = false;
     forEachPart(scene, [&](Id, const Part& part) { some |= part.canopyPressure > 0.0; });
+    return some;
+}
+
+// Whether panels carry the pull of some fabric. That they can hangs on several things at once:
+// where particles start, rest lengths, and the numbers of materials.
+bool hasElasticPanels(const Scene& scene)
+{
+    bool some = false;
+    forEachPart(scene, [&](Id, const Part& part) { some |= part.carrier == FabricKind::Panels; });
     return some;
 }
 
@@ -232,8 +240,6 @@ bool LiveSystem::Private::isSound() const
     const bool items = m_noted.obstacles || m_noted.wind || m_noted.inputs || m_noted.probes;
     const bool fabric =
         !m_noted.particles.empty() || !m_noted.panels.empty() || !m_noted.materials.empty();
-    // That panels can carry a pull hangs on several things at once: where particles start, rest
-    // lengths, and the numbers of materials.
     if (fabric && hasElasticPanels(m_scene) && firstError(m_scene, m_index))
         return false;
     return std::all_of(m_noted.particles.begin(), m_noted.particles.end(), sound)

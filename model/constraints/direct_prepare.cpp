@@ -266,6 +266,7 @@ void DirectSolver::soften(const System& system, double h)
                            : std::clamp(unseen / (h * h), leastSoftness * bar.weight,
                                         greatestSoftness * bar.weight);
     }
+    m_fabricBends.takeValues(system, h);
     m_leastPulls = pullsThatMatter(system);
 }
 

@@ -49,7 +49,7 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
     });
     m_panels.start(task.system, task.gone, {task.before, task.drift, task.substep, task.h}, pool);
     m_bends.start(task.system, task.torn, task.h);
-    m_fabricBends.start(task.system, task.gone, task.h);
+    m_fabricBends.start(task.gone);
 }
 
 double DirectSolver::startBars(const RodTask& task, std::span<const double> multiplier,
@@ -261,9 +261,11 @@ void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
             nearer += part.nearer;
         });
     here += m_contacts.energyAt(m_from);
-    std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin()); // pins stay where they are
-    here += m_bends.measure(m_position);
-    std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
+    if (!m_bends.empty()) {
+        std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin()); // but for pins
+        here += m_bends.measure(m_position);
+        std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
+    }
     nearer += m_contacts.energyAt(m_position);
     nearer += m_bends.measure(m_position) + m_panels.measure(m_position, pool);
     m_fabricBends.measure(m_position, pool); // next to nothing of either

@@ -27,7 +27,6 @@ void FabricBends::prepare(const System& system, std::span<const std::uint32_t> r
 {
     const std::span all = system.of<BendLists>().solvedPanels();
     m_panels.assign(all.begin(), all.end());
-    m_share.assign(all.size(), 0.0);
     m_bound.assign(all.size(), 0.0);
     std::size_t rows = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -37,9 +36,6 @@ void FabricBends::prepare(const System& system, std::span<const std::uint32_t> r
             panel.corner[k] = int(at);
             rows = std::max(rows, std::size_t(at) + 1);
         }
-        m_share[i] = sizeOf(panel.own);
-        for (const BentPanel::Plane& share : panel.share)
-            m_share[i] += sizeOf(share);
     }
     std::vector<int> placeOf(system.panels.size(), -1);
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -62,19 +58,25 @@ bool FabricBends::areOf(const System& system) const
     return std::ranges::equal(m_panels, system.of<BendLists>().solvedPanels(), isSame);
 }
 
-void FabricBends::start(const System& system, std::span<const std::uint8_t> gone, double h)
+void FabricBends::takeValues(const System& system, double h)
 {
     const std::span all = system.of<BendLists>().solvedPanels();
-    m_gone = gone;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        m_panels[i].stiffness = h * h * all[i].stiffness;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::array<int, 3> rows = m_panels[i].corner;
+        m_panels[i] = all[i];
+        m_panels[i].corner = rows;
+        m_panels[i].stiffness *= h * h;
+    }
+    std::ranges::fill(m_bound, 0.0);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const BentPanel& panel = m_panels[i];
-        m_bound[i] = panel.stiffness * m_share[i] * sizeOf(panel.own);
-        for (std::size_t k = 0; k < 3; ++k)
-            if (const auto beside = std::size_t(panel.beside[k]); beside != i)
-                m_bound[i] +=
-                    m_panels[beside].stiffness * m_share[beside] * sizeOf(panel.shareBeside[k]);
+        const double own = sizeOf(panel.own);
+        std::array<double, 3> share{};
+        std::ranges::transform(panel.share, share.begin(), sizeOf);
+        const double scale = panel.stiffness * (own + share[0] + share[1] + share[2]);
+        m_bound[i] += scale * own;
+        for (std::size_t k = 0; k < 3; ++k) // none where nothing is beside it
+            m_bound[std::size_t(panel.beside[k])] += scale * share[k];
     }
 }
 

@@ -34,14 +34,17 @@ public:
     //   row  [particles]  of the solver
     void prepare(const System& system, std::span<const std::uint32_t> row);
 
-    // Whether these are still the panels of the system; their stiffness may have changed.
+    // Whether these are still the panels of the system; their numbers may have changed.
     bool areOf(const System& system) const;
 
     bool empty() const { return m_panels.empty(); }
 
-    // Before a substep of which rods reach back h, s.
+    // Reads the numbers of the panels, for substeps of which rods reach back h, s.
+    void takeValues(const System& system, double h);
+
+    // Before a substep.
     //   gone  [panels of the system]
-    void start(const System& system, std::span<const std::uint8_t> gone, double h);
+    void start(std::span<const std::uint8_t> gone) { m_gone = gone; }
 
     // Where the rows are now; returns twice the energy there, kg m^2.
     double measure(std::span<const Row> position, ThreadPool& pool);
@@ -72,7 +75,6 @@ private:
 
     std::vector<BentPanel> m_panels; // of rows, with stiffnesses of kg m^4: h^2 B A
     std::vector<int> m_placeOf;      // [membranes] in m_panels, or -1
-    std::vector<double> m_share;     // [panels] 1/m, the sum of the sizes of shares
     std::vector<double> m_bound;     // [panels] kg m^2, h^2 c above
     FabricBending m_bending;
     std::span<const std::uint8_t> m_gone;         // [panels of the system]

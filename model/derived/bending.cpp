@@ -1,7 +1,7 @@
 #include "derived/bending.h"
 
-#include "derived/flat_panel.h"
 #include "derived/material_of.h"
+#include "laws/fabric_bending.h"
 
 #include <algorithm>
 
@@ -31,6 +31,7 @@ std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,
         return {};
     BendingNet net;
     std::vector<double> mass;
+    std::vector<std::uint8_t> carries; // [panels of the net] a pull
     net.solvesTogether = solvesTogether(scene.settings.solver);
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& row : part.particles) {
@@ -43,6 +44,7 @@ std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,
                                     index.particle(row.c)};
             if (std::min({corner[0], corner[1], corner[2]}) >= 0)
                 net.panels.push_back({corner, bendingOf(scene, index, row.material)});
+            carries.resize(net.panels.size(), part.carrier == FabricKind::Panels);
         }
         for (const Link& row : part.links) {
             const int a = index.particle(row.from);
@@ -52,11 +54,11 @@ std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,
                                      bendingOf(scene, index, row.material), isRod(row)});
         }
     });
-    const std::vector<Bend> bends = bendsOf(net);
-    std::span forces = std::span(bends).first(countOfForces(bends));
-    if (scene.settings.solver == Solver::Auto && hasElasticPanels(scene)
-        && fabricBendsStiffly(bends, mass, scene.settings.timeStep))
-        forces = forces.subspan(countOfFabric(bends));
+    const BendsAndPanels found = bendsAndPanelsOf(net);
+    std::span forces = std::span(found.bends).first(countOfForces(found.bends));
+    if (scene.settings.solver == Solver::Auto
+        && isSolvedWithPull(found, carries, mass, scene.settings.timeStep))
+        forces = forces.subspan(countOfFabric(found.bends));
     return bendSums(forces, net.position.size());
 }
 

@@ -15,7 +15,7 @@ namespace ripstop {
 // [particles] N/m, counted through all parts in the author's order; empty when no material resists
 // bending. Links and panels that point at no particle are passed over. Spars of rods ask for
 // nothing where these are solved together, nor does fabric that is solved with what carries its
-// pull (fabricBendsStiffly()).
+// pull (laws/fabric_bending.h).
 //   index  of the scene as it is
 //   isRod  of a link, as the system has it
 std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,

@@ -19,13 +19,6 @@ constexpr double thinnest = 1e-9; // of the square of the longest side, four tim
 
 } // namespace
 
-bool hasElasticPanels(const Scene& scene)
-{
-    bool some = false;
-    forEachPart(scene, [&](Id, const Part& part) { some |= part.carrier == FabricKind::Panels; });
-    return some;
-}
-
 std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const auto length = [](double given, const Vec3& from, const Vec3& to) {

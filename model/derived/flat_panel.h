@@ -7,7 +7,6 @@
 #pragma once
 
 #include "scene/items.h"
-#include "scene/scene.h"
 #include "shapes/polygon_mesh.h"
 
 #include <Eigen/Core>
@@ -24,9 +23,6 @@ struct FlatPanel
 
     double area() const { return 0.5 * (ab.x() * ac.y() - ab.y() * ac.x()); } // m^2, positive
 };
-
-// Whether panels carry the pull of some fabric.
-bool hasElasticPanels(const Scene& scene);
 
 // Nothing where the lengths make no triangle, or one so thin that its strain would be rounding
 // errors. Places of the corners in m.

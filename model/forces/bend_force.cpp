@@ -68,13 +68,20 @@ BendingNet bendingNetOf(const System& system)
     return net;
 }
 
-bool allCarryPulls(const System& system, std::span<const BentPanel> panels)
+std::vector<std::uint8_t> panelsThatCarry(const System& system)
 {
     std::vector<std::uint8_t> carries(system.panels.size(), 0);
     for (const Membrane& membrane : system.membranes)
         carries[std::size_t(membrane.panel)] = 1;
-    return std::ranges::all_of(
-        panels, [&](const BentPanel& panel) { return carries[std::size_t(panel.panel)] != 0; });
+    return carries;
+}
+
+std::vector<double> massesOf(const System& system) // kg, 0 of what is pinned
+{
+    std::vector<double> mass;
+    for (const double w : system.inverseMass)
+        mass.push_back(w > 0.0 ? 1.0 / w : 0.0);
+    return mass;
 }
 
 class BendForce final : public Force
@@ -120,13 +127,11 @@ void BendForce::list(System& system) const
     if (system.bending.empty())
         return;
     BendsAndPanels found = bendsAndPanelsOf(bendingNetOf(system));
+    bends.panelsAreSolved =
+        system.solver == Solver::Auto
+        && isSolvedWithPull(found, panelsThatCarry(system), massesOf(system), system.timeStep);
     bends.list = std::move(found.bends);
     bends.panels = std::move(found.panels);
-    std::vector<double> mass;
-    for (const double w : system.inverseMass)
-        mass.push_back(w > 0.0 ? 1.0 / w : 0.0);
-    bends.panelsAreSolved = system.solver == Solver::Auto && allCarryPulls(system, bends.panels)
-                            && fabricBendsStiffly(bends.list, mass, system.timeStep);
     if (!bends.arePulling())
         return;
     std::vector<int> corners; // particles

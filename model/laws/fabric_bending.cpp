@@ -34,6 +34,16 @@ struct BendWork
 
 namespace ripstop {
 
+bool isSolvedWithPull(const BendsAndPanels& bends, std::span<const std::uint8_t> carries,
+                      std::span<const double> mass, double timeStep)
+{
+    const auto carriesPull = [&](const BentPanel& panel) {
+        return carries[std::size_t(panel.panel)] != 0;
+    };
+    return !bends.panels.empty() && std::ranges::all_of(bends.panels, carriesPull)
+           && fabricBendsStiffly(bends.bends, mass, timeStep);
+}
+
 void FabricBending::size(std::size_t panels)
 {
     m_normal.resize(panels);

@@ -17,6 +17,15 @@
 
 namespace ripstop {
 
+// Whether the fabric among the bends is better solved together with what carries its pull than left
+// as a force: all of it has panels that carry a pull, and it bends too stiffly for whole time
+// steps.
+//   carries   [panels of the net] whether they carry a pull
+//   mass      [particles]  kg, or 0 of what is pinned
+//   timeStep  s
+bool isSolvedWithPull(const BendsAndPanels& bends, std::span<const std::uint8_t> carries,
+                      std::span<const double> mass, double timeStep);
+
 class FabricBending
 {
 public:

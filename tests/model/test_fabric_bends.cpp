@@ -10,10 +10,14 @@
 #include "registered_test.h"
 
 #include "check/check.h"
+#include "check/step_check.h"
 #include "compile/compile.h"
+#include "compile/live_system.h"
+#include "compile/patch.h"
 #include "derived/flat_panel.h"
 #include "laws/fabric_bending.h"
 #include "measure/diagnostics.h"
+#include "scene/property.h"
 #include "simulation/simulation.h"
 #include "step/solver_plan.h"
 #include "step/stepper.h"
@@ -21,6 +25,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -94,7 +99,7 @@ Scene sceneOf(const Sheet& sheet)
     return scene;
 }
 
-// Half as long again as its bending length makes it droop by 41.49 degrees at twice that.
+// Twice as long as its bending length, where it droops by 41.49 degrees.
 Sheet peirceStrip(int along)
 {
     const double overhang = 2.0 * std::cbrt(bending / (density * standardGravity));
@@ -330,6 +335,61 @@ private slots:
                 QVERIFY2(off < 0.03 * share * fall, qPrintable(QString::number(off / fall)));
             }
         }
+    }
+
+    // Where some fabric is of threads all of it bends by forces, and the check of the scene, which
+    // has no system to ask, says so.
+    void fabricOfThreadsBesideItKeepsForces()
+    {
+        Scene scene = sceneOf({});
+        QVERIFY(compiled(scene)->of<BendLists>().panelsAreSolved);
+        QVERIFY(!stepLimit(scene));
+        Part threads = firstOf<Part>(scene);
+        threads.carrier = FabricKind::Threads;
+        std::map<Id, Id> renamed;
+        for (Particle& particle : threads.particles) {
+            particle.position.y() += 1.0;
+            particle.id = renamed[particle.id] = takeId(scene);
+        }
+        for (Panel& panel : threads.panels) {
+            panel.id = takeId(scene);
+            for (Id* const corner : {&panel.a, &panel.b, &panel.c})
+                *corner = renamed.at(*corner);
+        }
+        const Id id = takeId(scene);
+        scene.items.push_back({id, threads});
+        const auto system = compiled(scene);
+        QVERIFY(!system->of<BendLists>().panelsAreSolved);
+        QVERIFY(stepLimit(scene));
+        QVERIFY(stepLimit(scene)->timeStep < scene.settings.timeStep);
+        QVERIFY(planFor(*system).substeps > 1);
+    }
+
+    // As if the run had begun with what was typed.
+    void stiffnessIsReadAgainWhenItIsTyped()
+    {
+        LiveSystem live(sceneOf(peirceStrip(20)));
+        System running = *std::get<Update>(live.update(1, 1)).system;
+        State state = running.start;
+        Stepper stepper;
+        for (int i = 0; i < 10; ++i)
+            stepper.step(running, state);
+        State other = state;
+        const Id cloth = live.scene().items.front().id;
+        live.apply(
+            {{},
+             {SetValues{
+                 findProperty(Kind::Material, "bendingStiffness"), {cloth}, {4.0 * bending}}}});
+        const auto update = std::get<Update>(live.update(1, 1));
+        QVERIFY(update.patch);
+        (void)apply(*update.patch, running);
+        const auto fresh = compiled(live.scene());
+        Stepper another;
+        for (int i = 0; i < 10; ++i) {
+            stepper.step(running, state);
+            another.step(*fresh, other);
+        }
+        QCOMPARE(stateHash(state), stateHash(other));
     }
 
     void sameBitsAtAnyNumberOfThreads()
