@@ -1,15 +1,15 @@
-// tearOverloaded() finds the overloads of springs, rods and panels, leaves the worst link of each
-// line, lets what is held wait, sorts the rest (by overload where only some may break, else by
-// place) and breaks them, noting an event each.
+// tearOverloaded() finds the overloads of springs, rods and panels, leaves one link of each line
+// (line_parting.h), lets what is held wait, sorts the rest (by overload where only some may break,
+// else by place) and breaks them, noting an event each.
 //
 // Springs are sifted first by a test without roots, since nearly all are far from their limit in
 // every substep.
 #include "tearing/tearing.h"
 
 #include "assembly/split_system.h"
-#include "base/joined_sets.h"
 #include "forces/spring_force.h"
 #include "system/membrane.h"
+#include "tearing/line_parting.h"
 #include "tearing/panel_tearing.h"
 #include "tearing/spar_snapping.h"
 
@@ -187,75 +187,9 @@ void findOverloads(const System& system, const State& state, const TearLoads& lo
     findSparOverloads(system, state, overloads);
 }
 
-bool inOrder(const Overload& one, const Overload& other)
-{
-    if (one.of != other.of)
-        return one.of < other.of;
-    if (one.of == Overload::Of::Spar && one.ratio != other.ratio)
-        return one.ratio > other.ratio;
-    return one.element < other.element;
-}
-
 const Bend& sparOf(const System& system, const Overload& overload)
 {
     return system.of<BendLists>().ofSpars()[std::size_t(overload.element)];
-}
-
-bool worstFirst(const Overload& one, const Overload& other)
-{
-    return one.ratio != other.ratio ? one.ratio > other.ratio : inOrder(one, other);
-}
-
-// Particles where nothing but two links meet, so that these pull alike.
-std::vector<std::uint8_t> alongLines(const System& system, const State& state)
-{
-    std::vector<int> links(state.position.size(), 0);
-    for (const LinkPlace& link : system.links)
-        if (!isTorn(link, state)) {
-            ++links[std::size_t(link.a)];
-            ++links[std::size_t(link.b)];
-        }
-    for (std::size_t p = 0; p < system.panels.size(); ++p)
-        if (!state.panelGone[p])
-            for (const int corner : system.panels[p].corner)
-                links[std::size_t(corner)] = 0;
-    std::vector<std::uint8_t> isAlong(links.size());
-    std::ranges::transform(links, isAlong.begin(), [](int count) { return count == 2; });
-    return isAlong;
-}
-
-// Of the links of one line only the worst stays, of equals the first: when it has parted, the
-// others hold nothing.
-void leaveWorstOfLines(const System& system, const State& state, std::vector<Overload>& overloads)
-{
-    if (std::ranges::count(overloads, Overload::Of::Link, &Overload::of) < 2)
-        return;
-    const std::vector<std::uint8_t> isAlong = alongLines(system, state);
-    JoinedSets lines(overloads.size());
-    std::vector<int> firstAt(isAlong.size(), -1); // overload
-    for (std::size_t i = 0; i < overloads.size(); ++i) {
-        if (overloads[i].of != Overload::Of::Link)
-            continue;
-        const LinkPlace& link = system.links[std::size_t(overloads[i].element)];
-        for (const int end : {link.a, link.b}) {
-            int& first = firstAt[std::size_t(end)];
-            if (isAlong[std::size_t(end)] && first >= 0)
-                lines.join(first, int(i));
-            first = int(i);
-        }
-    }
-    std::vector<int> worst(overloads.size(), -1); // [sets] overload
-    for (std::size_t i = 0; i < overloads.size(); ++i) {
-        int& best = worst[std::size_t(lines.of(int(i)))];
-        if (best < 0 || worstFirst(overloads[i], overloads[std::size_t(best)]))
-            best = int(i);
-    }
-    std::size_t i = 0;
-    std::erase_if(overloads, [&](const Overload&) {
-        const bool isWorst = worst[std::size_t(lines.of(int(i)))] == int(i);
-        ++i;
-        return !isWorst;
-    });
 }
 
 constexpr double farAbove = 1.25; // times the overload that opened the mesh
@@ -265,19 +199,6 @@ constexpr double farAbove = 1.25; // times the overload that opened the mesh
 double faded(double hold, double timeStep, double easing)
 {
     return std::min(hold, std::numeric_limits<double>::max()) / (1.0 + timeStep / easing);
-}
-
-// A pull crosses an element in the root of mass times compliance; one that is damped gives way no
-// sooner than its damping time lets it. A spring without stiffness never pulls itself together.
-double easingTime(const System& system, const LinkPlace& link)
-{
-    const auto index = std::size_t(link.index);
-    const bool isRod = link.kind == LinkKind::Rod;
-    if (!isRod && system.springs[index].stiffness <= 0.0)
-        return std::numeric_limits<double>::infinity();
-    const Rod rod = isRod ? system.rods[index] : asRod(system.springs[index]);
-    const double mass = system.mass[std::size_t(link.a)] + system.mass[std::size_t(link.b)];
-    return std::sqrt(mass * rod.compliance) + rod.dampingTime;
 }
 
 double easingTime(const System& system, const Membrane& membrane)
@@ -396,7 +317,7 @@ void tearOverloaded(const System& system, State& state, const TearLoads& loads,
     std::vector<Overload>& overloads = scratch.overloads;
     scratch.tips.look(system, state);
     findOverloads(system, state, loads, scratch.tips, overloads);
-    leaveWorstOfLines(system, state, overloads);
+    leaveOneOfLines(system, state, overloads);
     if (splits)
         takeHeldOut(system, state, overloads);
     for (const auto& [membrane, ratio] : scratch.tips.overdriven(system, state))

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "system/system.h"
+#include "tearing/overload.h"
 #include "tearing/tear_tips.h"
 
 #include <span>
@@ -22,16 +23,6 @@ struct TearLoads
     std::size_t tearsBefore = 0;             // breaks before this time step
 };
 
-// What is above its limit, and how far: the length, strain, force, pull or moment over the limit.
-struct Overload
-{
-    enum class Of { Link, Panel, Spar };
-
-    int element;  // index into System::links, System::membranes or BendLists::ofSpars()
-    double ratio; // 1
-    Of of = Of::Link;
-};
-
 // What a run keeps from one call to the next, so that little is found twice.
 struct TearScratch
 {
@@ -43,7 +34,8 @@ struct TearScratch
 // by its length before projection, since none is ever long afterwards, or by its multiplier.
 //
 // Of links that are one line, as nothing else meets where they do, the most overloaded breaks
-// alone: the others lose their load by it, and are judged again in the next substep.
+// alone: the others lose their load by it, and are judged again when they have had the time to
+// (line_parting.h).
 //
 // Without System::tearsPerStep all others break, in order: the links, then the panels, then spars
 // by their moments, the worst first, as the pieces beside a spar that has snapped lose theirs. With

@@ -202,6 +202,43 @@ private slots:
         QVERIFY(state.position[6].y() > -0.61);
     }
 
+    // A line that stretches holds its load for as long as a pull takes to run along it, and is
+    // drawn on from both ends meanwhile: what is left of it parts no more.
+    void whatIsLeftOfALineIsLetBe()
+    {
+        System system = emptySystem(1e-3);
+        system.substeps = 20;
+        addPin(system, Vec3::Zero());
+        constexpr int links = 20;
+        for (int i = 1; i <= links; ++i) {
+            const Vec3 place(0.1 * i, 0.0, 0.0);
+            i == links ? addPin(system, place) : addParticle(system, place, 1e-3);
+            addRod(system, i - 1, i, 0.1, 1e-5).tear = {TearRule::Force, 100.0};
+        }
+        for (const auto& [end, way] : {std::pair(0, -1.0), std::pair(links, 1.0)})
+            system.inputs.push_back(
+                {Key(end + 7), ControlKind::Move, {way, 0.0, 0.0}, 100.0, 100.0, 0.5, {end}});
+        finish(system);
+        QCOMPARE(run(system, 50).tears.size(), std::size_t(1)); // drawn by 50 mm, breaks at 20
+    }
+
+    // The other line of what hangs by two bears all of it when one has parted, a moment later.
+    void theOtherLineBreaksAfterwards()
+    {
+        System system = emptySystem(1e-3);
+        system.gravity = {0.0, -standardGravity, 0.0};
+        system.substeps = 4;
+        addPin(system, {-0.5, 0.0, 0.0});
+        addPin(system, {0.5, 0.0, 0.0});
+        addParticle(system, {0.0, -1.0, 0.0}, 10.0);
+        for (const int pin : {0, 1}) {
+            const TearLimit limit{TearRule::Force, pin == 0 ? 50.0 : 60.0};
+            addRod(system, pin, 2, std::sqrt(1.25), 1e-5).tear = limit;
+        }
+        finish(system);
+        QCOMPARE(run(system, 500).tears.size(), std::size_t(2));
+    }
+
     void mostPerStep_data()
     {
         QTest::addColumn<int>("most");
