@@ -39,7 +39,6 @@ BrushBar::BrushBar(Document& document, Viewport& viewport, const Actions& action
     , m_actions(actions)
     , m_tool(actions["toolBrush"])
     , m_title(new QLabel(tr("Paint")))
-    , m_hint(new QLabel)
 {
     layOut();
     startOver();

@@ -46,7 +46,6 @@ private:
     QAction* m_before = nullptr; // the way of colouring before the brush was chosen
     bool m_grainBefore = false;  // whether strokes were shown
     QLabel* m_title;
-    QLabel* m_hint;
     std::vector<QWidget*> m_values; // by what is painted
     ParameterField* m_radius = nullptr;
 };

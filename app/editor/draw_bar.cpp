@@ -44,7 +44,6 @@ DrawBar::DrawBar(Document& document, Viewport& viewport, DrawSettings& settings,
               {actions["drawPanels"], tr("Draw panels"),
                tr("Click the three corners. Esc begins again.")}}
     , m_title(new QLabel)
-    , m_hint(new QLabel)
 {
     layOut();
     startOver();

@@ -51,7 +51,6 @@ private:
     DrawSettings& m_settings;
     std::vector<Hint> m_hints;
     QLabel* m_title;
-    QLabel* m_hint;
     QComboBox* m_part;
     QComboBox* m_material;
     QWidget* m_mass;

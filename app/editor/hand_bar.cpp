@@ -45,7 +45,6 @@ HandBar::HandBar(Document& document, Player& player, Viewport& viewport, const A
               {actions["toolFan"], tr("Fan"),
                tr("Hold the button and aim. Wheel: strength, with Ctrl: spread.")}}
     , m_title(new QLabel)
-    , m_hint(new QLabel)
     , m_unpin(new QPushButton)
 {
     addFields();

@@ -67,7 +67,6 @@ private:
     std::vector<Hint> m_hints;
     std::vector<Field> m_fields;
     QLabel* m_title;
-    QLabel* m_hint;
     QWidget* m_through;
     QPushButton* m_unpin;
 };

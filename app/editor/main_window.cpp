@@ -143,15 +143,16 @@ void MainWindow::buildToolBar()
     m_toolBar->addWidget(m_transport);
 }
 
-// These stand over the view, which owns them.
+// These stand over the view, which owns them. The strip comes last: it hears first of another size
+// of the view, so that the bars stand beside it as it is then.
 void MainWindow::buildBarsOfView()
 {
     m_handBar = new HandBar(m_document, m_player, *m_viewport, m_actions);
-    addToolStrip(*m_viewport, m_actions);
     new EmptyHint(m_document, *m_viewport);
     new TransformBar(*m_viewport);
     m_brushBar = new BrushBar(m_document, *m_viewport, m_actions);
     new DrawBar(m_document, *m_viewport, m_drawSettings, m_actions);
+    addToolStrip(*m_viewport, m_actions);
 }
 
 // What steers besides the menus, and who gets the keys.

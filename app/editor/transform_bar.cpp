@@ -57,7 +57,6 @@ TransformBar::TransformBar(Viewport& viewport)
     , m_tool(viewport.transformTool())
     , m_title(new QLabel)
     , m_unit(new QLabel)
-    , m_hint(new QLabel(tr("A run is shown. Reset (Ctrl+R) goes back to the design.")))
     , m_row(new QWidget)
 {
     layOut();
@@ -116,6 +115,7 @@ void TransformBar::layOut()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 5, 8, 5);
     layout->addWidget(m_row);
+    m_hint->setText(tr("A run is shown. Reset (Ctrl+R) goes back to the design."));
     layout->addWidget(m_hint);
 }
 

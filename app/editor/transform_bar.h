@@ -36,7 +36,6 @@ private:
     QLabel* m_title;
     std::array<QLineEdit*, 3> m_numbers;
     QLabel* m_unit;
-    QLabel* m_hint;
     QWidget* m_row;
     Shaping m_shown = Shaping::None;
     bool m_wasDragging = false;

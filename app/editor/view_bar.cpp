@@ -1,11 +1,15 @@
+// settle() gives a bar its place: as wide as its words in one line, where that leaves the strip of
+// tools free, else from the strip to the other edge with its words in several lines.
 #include "editor/view_bar.h"
 
 #include "start/parameter_field.h"
+#include "tools/tool_strip.h"
 #include "viewport/viewport.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QLabel>
 #include <QLayout>
 
 #include <algorithm>
@@ -13,14 +17,16 @@
 namespace ripstop {
 namespace {
 
-constexpr int fromLowerEdge = 10; // pixels, from the lower edge of the view
-constexpr int fieldWidth = 110;   // pixels
+constexpr int fromEdge = 10;    // pixels, from the lower edge of the view, and from its sides
+constexpr int fieldWidth = 110; // pixels, of a number with its unit
+constexpr int bareWidth = 75;   // pixels, of one that has none
 
 } // namespace
 
 ViewBar::ViewBar(Viewport& viewport, const QString& name)
     : QFrame(&viewport)
     , m_viewport(viewport)
+    , m_hint(new QLabel)
 {
     setObjectName(name);
     setAutoFillBackground(true);
@@ -32,12 +38,34 @@ ViewBar::ViewBar(Viewport& viewport, const QString& name)
 
 void ViewBar::settle()
 {
+    m_hint->setWordWrap(false);
     layout()->activate();
-    adjustSize();
-    move(std::max((m_viewport.width() - width()) / 2, 0),
-         m_viewport.height() - height() - fromLowerEdge);
+    QRect place(QPoint(), layout()->totalSizeHint());
+    place.moveLeft(std::max((m_viewport.width() - place.width()) / 2, fromEdge));
+    place.moveTop(m_viewport.height() - fromEdge - place.height());
+    place.moveLeft(besideTools(m_viewport, place));
+    if (place.x() + place.width() > m_viewport.width() - fromEdge)
+        place = inSeveralLines();
+    setGeometry(place);
     raise();
     tellView();
+}
+
+// From the strip of tools, wherever it ends, to the other edge; over the strip only where the view
+// has no room for the fields otherwise.
+QRect ViewBar::inSeveralLines()
+{
+    m_hint->setWordWrap(true);
+    layout()->activate();
+    const int right = m_viewport.width() - fromEdge;
+    const int least = layout()->totalMinimumSize().width();
+    int left = besideTools(m_viewport, {fromEdge, 0, right, m_viewport.height()});
+    if (right - left < least)
+        left = fromEdge;
+    const int width = std::max(right - left, least);
+    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width)
+                                                     : layout()->totalSizeHint().height();
+    return {left, m_viewport.height() - fromEdge - height, width, height};
 }
 
 void ViewBar::hideEvent(QHideEvent* event)
@@ -69,7 +97,7 @@ ParameterField* ViewBar::numberField(const Parameter& parameter, double value,
 {
     auto* number = new ParameterField(parameter);
     number->setValue(value);
-    number->setMaximumWidth(fieldWidth);
+    number->setMaximumWidth(parameter.unit.empty() ? bareWidth : fieldWidth);
     connect(number, &ParameterField::changed, this, [number, take] {
         if (number->isInRange())
             take(number->value());

@@ -1,5 +1,6 @@
-// The base of the bars over the lower edge of the view: it keeps a bar in the middle of that edge
-// when the view is resized, and makes the lists of choices and the fields of numbers that they use.
+// The base of the bars over the lower edge of the view: it keeps a bar in the middle of that edge,
+// beside the strip of tools where the bar would cover it, when the view is resized, and makes the
+// lists of choices and the fields of numbers that they use.
 //
 // A subclass fills the layout, shows and hides itself, and calls settle() after its contents have
 // changed. The view is the parent and owns it.
@@ -10,6 +11,7 @@
 #include <functional>
 
 class QComboBox;
+class QLabel;
 
 namespace ripstop {
 
@@ -38,8 +40,10 @@ protected:
                                 const std::function<void(double)>& take);
 
     Viewport& m_viewport;
+    QLabel* m_hint; // what the tool does; in several lines where there is no room for one
 
 private:
+    QRect inSeveralLines();
     void tellView();
 };
 

@@ -2,15 +2,19 @@
 // carry, and all of it again by its track.
 //
 // Stages: grabbing with wheel, Ctrl and Escape; pins; cuts at both depths; the fan; carried
-// colliders; then the track of all of it, and the bar of settings.
+// colliders; then the track of all of it, the bar of settings, and where the bars of all tools lie.
 #include "app/sheet_shop.h"
 
 #include "compile/compile.h"
+#include "editor/view_bar.h"
 #include "io/control_track.h"
 #include "simulation/simulation.h"
 #include "simulation/torn_system.h"
 #include "tools/hand_settings.h"
 #include "tools/pointing.h"
+#include "tools/tool_strip.h"
+
+#include <QLabel>
 
 namespace ripstop::test_hand_tools {
 
@@ -272,6 +276,38 @@ private slots:
         QTest::keyClick(&shop.viewport, Qt::Key_Escape);
         QVERIFY(!shop.field("Speed")->isVisible());
         QVERIFY(shop.window.actions()["toolPointer"]->isChecked());
+    }
+
+    // The bar of a tool lies in the view, and leaves the strip to whoever wants another tool. A
+    // view in which its words do not fit into a line has them in several.
+    void barsLeaveTheStripOfTools_data()
+    {
+        QTest::addColumn<QString>("tool");
+        QTest::addColumn<QSize>("size");
+        const std::pair<const char*, QString> tools[]{{"draw links", "drawLinks"},
+                                                      {"draw particles", "drawParticles"},
+                                                      {"brush", "toolBrush"},
+                                                      {"grab", "toolGrab"}};
+        for (const auto& [name, tool] : tools)
+            for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
+                QTest::addRow("%s, %d pixels wide", name, size.width()) << tool << size;
+    }
+    void barsLeaveTheStripOfTools()
+    {
+        QFETCH(QString, tool);
+        QFETCH(QSize, size);
+        Shop shop(Sheet().scene);
+        shop.run(qPrintable(tool));
+        shop.window.resize(size);
+        const auto* strip = shop.viewport.findChild<ToolStrip*>();
+        const auto bars = shop.viewport.findChildren<ViewBar*>();
+        QTRY_COMPARE(std::ranges::count_if(bars, &ViewBar::isVisible), 1);
+        const ViewBar& bar = **std::ranges::find_if(bars, &ViewBar::isVisible);
+        QTRY_VERIFY(shop.viewport.rect().contains(bar.geometry()));
+        QVERIFY(!bar.geometry().intersects(strip->geometry()));
+        for (const auto* words : bar.findChildren<QLabel*>())
+            if (words->isVisible())
+                QVERIFY(words->width() >= words->minimumSizeHint().width());
     }
 };
 

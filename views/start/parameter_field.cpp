@@ -155,7 +155,8 @@ QWidget* ParameterField::numberRow(Slider slider)
     m_number->installEventFilter(this);
     auto* unit = m_unit = new QLabel(unitText(m_parameter));
     unit->setForegroundRole(QPalette::PlaceholderText);
-    unit->setMinimumWidth(unit->fontMetrics().horizontalAdvance(QStringLiteral("kg/m\u00b2")));
+    if (slider == Slider::With || !m_parameter.unit.empty()) // numbers of a form end alike
+        unit->setMinimumWidth(unit->fontMetrics().horizontalAdvance(QStringLiteral("kg/m\u00b2")));
     if (slider == Slider::With)
         layout->addWidget(newSlider(), 1);
     layout->addWidget(m_number, slider == Slider::With ? 0 : 1);

@@ -18,6 +18,7 @@ constexpr int iconSide = 20; // pixels
 constexpr int rounding = 8;  // pixels
 constexpr int between = 2;   // pixels, of two buttons
 constexpr int gap = 3;       // pixels, on either side of a line between groups
+constexpr int apart = 12;    // pixels, from the strip to what stands beside it
 
 } // namespace
 
@@ -103,6 +104,15 @@ void ToolStrip::paintEvent(QPaintEvent*)
     line.setAlphaF(0.25F);
     for (const QRect& place : m_lines)
         painter.fillRect(place, line);
+}
+
+int besideTools(const QWidget& view, const QRect& place)
+{
+    for (const QObject* child : view.children())
+        if (const auto* tools = qobject_cast<const ToolStrip*>(child);
+            tools && tools->isVisible() && tools->geometry().intersects(place))
+            return tools->geometry().right() + apart;
+    return place.x();
 }
 
 } // namespace ripstop

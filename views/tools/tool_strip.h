@@ -34,4 +34,8 @@ private:
     QList<QRect> m_lines; // between them
 };
 
+// The left edge, in pixels of the view, of what would stand at this place, had the strip of the
+// view not come down so far.
+int besideTools(const QWidget& view, const QRect& place);
+
 } // namespace ripstop

@@ -101,17 +101,6 @@ void Viewport::Private::prepare()
     }
 }
 
-// Where something stands that would begin at this place, had the strip of tools not come down so
-// far.
-int Viewport::Private::besideTools(const QRect& place) const
-{
-    for (const QObject* child : screen.parentWidget()->children())
-        if (const auto* tools = qobject_cast<const ToolStrip*>(child);
-            tools && tools->isVisible() && tools->geometry().intersects(place))
-            return tools->geometry().right() + corner;
-    return place.x();
-}
-
 // The upper edge of what would stand here, were there not the bar of a tool.
 int Viewport::Private::aboveBars(const QRect& place) const
 {
@@ -127,8 +116,9 @@ void Viewport::Private::place()
 {
     legend.move(screen.width() - legend.width() - corner, corner);
     const int under = screen.height() - compass.height() - corner;
-    const int left = besideTools({corner, under, compass.width(), compass.height()});
-    compass.move(left, aboveBars({left, under, compass.width(), compass.height()}));
+    QRect place(QPoint(corner, under), compass.size());
+    place.moveLeft(besideTools(*screen.parentWidget(), place));
+    compass.move(place.x(), aboveBars(place));
     compass.setCamera(camera);
     centre.show(stage.frame(), camera);
     labels.show(stage.frame(), camera);

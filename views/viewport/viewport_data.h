@@ -61,9 +61,8 @@ public:
     void showDesign();
     void prepare();
     void place();
-    int besideTools(const QRect& place) const; // its left edge, px
-    int aboveBars(const QRect& place) const;   // its upper edge, px
-    std::optional<CameraView> view();          // what is seen now
+    int aboveBars(const QRect& place) const; // its upper edge, px
+    std::optional<CameraView> view();        // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
     bool seesSubject(); // some of the design is in the picture
