@@ -1,8 +1,9 @@
 // The brush in the hand: strokes at places of the picture, one step of undo each, Escape, the
-// wheel, and what is said where nothing can be painted.
+// wheel, what is said where nothing can be painted, and where words beside the cursor stand.
 #include "camera/camera_projection.h"
 #include "document/document.h"
 #include "look/scene_frame.h"
+#include "overlays/caption.h"
 #include "tools/brush_tool.h"
 #include "views/run_with_widgets.h"
 
@@ -217,6 +218,32 @@ private slots:
         board.isAtDesign = true;
         board.stroke({-0.2, 0.0, 0.0}, {0.1, 0.0, 0.0});
         QVERIFY(!(board.document.scene() == before));
+    }
+
+    // Of a card of 190 x 26 pixels in a picture of 800 x 600: 18 pixels beside the cursor, and not
+    // under the legend or the bar.
+    void wordsKeepOutOfTheWay_data()
+    {
+        QTest::addColumn<QPointF>("cursor");
+        QTest::addColumn<QRect>("covered");
+        QTest::addColumn<QPointF>("corner"); // the upper left one of the card
+        const QRect legend(640, 12, 150, 280), bar(100, 520, 600, 70);
+        QTest::newRow("nothing in the way") << QPointF(100, 100) << legend << QPointF(118, 118);
+        QTest::newRow("beside the legend") << QPointF(500, 100) << legend << QPointF(292, 118);
+        QTest::newRow("below the legend") << QPointF(600, 300) << legend << QPointF(392, 318);
+        QTest::newRow("above the bar") << QPointF(300, 490) << bar << QPointF(318, 446);
+        QTest::newRow("at the edges") << QPointF(790, 590) << legend << QPointF(582, 546);
+        QTest::newRow("nothing is free")
+            << QPointF(790, 100) << QRect(0, 0, 800, 600) << QPointF(610, 118);
+    }
+    void wordsKeepOutOfTheWay()
+    {
+        QFETCH(QPointF, cursor);
+        QFETCH(QRect, covered);
+        QFETCH(QPointF, corner);
+        const QRectF card = captionPlace({190, 26}, cursor, {0, 0, 800, 600}, {{covered}});
+        QCOMPARE(card.topLeft(), corner);
+        QCOMPARE(card.size(), QSizeF(190, 26));
     }
 };
 

@@ -270,6 +270,10 @@ private slots:
         QCOMPARE(overlayMarginsOf(view).bottom, 0.0);
         child({680, 10, 110, 180}); // a legend, upright but less than a third of the height
         QVERIFY(std::abs(overlayMarginsOf(view).right - 120.0 / 800.0) < 1e-9);
+        const std::size_t others = overlaysOf(view).size();
+        child(view.rect())->lower(); // the picture is under them, and covers nothing
+        QCOMPARE(overlaysOf(view).size(), others);
+        QCOMPARE(others, std::size_t(4));
     }
 
     // A legend that comes over a design that nobody has turned or moved leaves it in sight; a

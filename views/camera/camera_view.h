@@ -9,6 +9,8 @@
 #include "look/look.h"
 #include "simulation/frame.h"
 
+#include <QRect>
+
 #include <vector>
 
 namespace ripstop {
@@ -20,8 +22,9 @@ struct CameraView
     const Look& look;
     const std::vector<ColliderBody>& colliders;
     const Camera& camera;
-    double width;  // of the picture, pixels
-    double height; // pixels
+    double width;                    // of the picture, pixels
+    double height;                   // pixels
+    std::vector<QRect> covered = {}; // by what stands over the picture (overlaysOf()), pixels
 };
 
 } // namespace ripstop

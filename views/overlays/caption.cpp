@@ -17,18 +17,35 @@ constexpr int turns = 12;
 
 } // namespace
 
-void paintCaption(QPainter& painter, const Theme& theme, QPointF place, const QString& text)
+QRectF captionPlace(const QSizeF& size, QPointF place, const QRectF& picture,
+                    std::span<const QRect> covered)
 {
-    const QRectF words = painter.fontMetrics().boundingRect(text);
-    QRectF card(place.x() + offset, place.y() + offset, words.width() + 2.0 * cardInset,
-                words.height() + 2.0 * cardInset);
+    const QRectF first(place + QPointF(offset, offset), size);
+    for (const bool isAbove : {false, true})
+        for (const bool isLeft : {false, true}) {
+            QRectF card = first;
+            if (isLeft)
+                card.moveRight(place.x() - offset);
+            if (isAbove)
+                card.moveBottom(place.y() - offset);
+            if (picture.contains(card) && std::ranges::none_of(covered, [&](const QRect& other) {
+                    return card.intersects(other);
+                }))
+                return card;
+        }
+    QRectF card = first;
+    card.moveLeft(std::max(std::min(card.left(), picture.right() - card.width()), picture.left()));
+    card.moveTop(std::max(std::min(card.top(), picture.bottom() - card.height()), picture.top()));
+    return card;
+}
+
+void paintCaption(QPainter& painter, const Theme& theme, QPointF place, const QString& text,
+                  std::span<const QRect> covered)
+{
+    const QSizeF inset(2.0 * cardInset, 2.0 * cardInset);
     const QRectF picture = QRectF(painter.window()).adjusted(4.0, 4.0, -4.0, -4.0);
-    if (card.right() > picture.right())
-        card.moveRight(place.x() - offset);
-    if (card.bottom() > picture.bottom())
-        card.moveBottom(place.y() - offset);
-    card.moveLeft(std::max(card.left(), picture.left()));
-    card.moveTop(std::max(card.top(), picture.top()));
+    const QRectF card = captionPlace(painter.fontMetrics().boundingRect(text).size() + inset, place,
+                                     picture, covered);
     QColor ground = theme.card;
     ground.setAlphaF(0.9F);
     painter.setPen(Qt::NoPen);

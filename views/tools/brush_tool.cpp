@@ -169,7 +169,8 @@ void BrushTool::paint(QPainter& painter, const Theme& theme, const CameraView& v
             paintRing(painter, theme, *pixel, m_brush.radius / projection.metresPerPixel(*m_image),
                       false);
     paintCaption(painter, theme, *m_cursor,
-                 words("%1 · radius %2 m").arg(brushText(m_brush), compactNumber(m_brush.radius)));
+                 words("%1 · radius %2 m").arg(brushText(m_brush), compactNumber(m_brush.radius)),
+                 view.covered);
 }
 
 } // namespace ripstop

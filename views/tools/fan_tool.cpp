@@ -170,7 +170,8 @@ void FanTool::paint(QPainter& painter, const Theme& theme, const CameraView& vie
     paintCaption(painter, theme, m_cursor,
                  words("%1 m/s · wheel: strength · Ctrl + wheel: spread %2°")
                      .arg(locale.toString(m_settings.fanSpeed, 'f', 1))
-                     .arg(qRound(std::atan(m_settings.fanWidening) * 180.0 / M_PI)));
+                     .arg(qRound(std::atan(m_settings.fanWidening) * 180.0 / M_PI)),
+                 view.covered);
 }
 
 } // namespace ripstop

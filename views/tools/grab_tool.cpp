@@ -277,7 +277,7 @@ void GrabTool::paintPull(QPainter& painter, const Theme& theme, const CameraView
                         .arg(spokenText(now->stiffness, "N/m", 3));
     }
     said << (pinned ? words("pinned, P lets go") : words("P pins"));
-    paintCaption(painter, theme, {to.x, to.y}, said.join(QStringLiteral(" · ")));
+    paintCaption(painter, theme, {to.x, to.y}, said.join(QStringLiteral(" · ")), view.covered);
 }
 
 void GrabTool::paintCarry(QPainter& painter, const Theme& theme, const CameraView& view) const
@@ -295,7 +295,7 @@ void GrabTool::paintCarry(QPainter& painter, const Theme& theme, const CameraVie
     QString said = words("%1 m").arg(QLocale().toString(way, 'f', 2));
     if (!m_player.isPlaying())
         said = words("%1, when it runs").arg(said);
-    paintCaption(painter, theme, {to.x, to.y}, said);
+    paintCaption(painter, theme, {to.x, to.y}, said, view.covered);
 }
 
 } // namespace ripstop

@@ -132,8 +132,13 @@ std::optional<CameraView> Viewport::Private::view()
     stage.prepare(document.scene());
     if (!stage.frame())
         return std::nullopt;
-    return CameraView{*stage.frame(), stage.look(),           stage.colliders(),
-                      camera,         double(screen.width()), double(screen.height())};
+    return CameraView{*stage.frame(),
+                      stage.look(),
+                      stage.colliders(),
+                      camera,
+                      double(screen.width()),
+                      double(screen.height()),
+                      overlaysOf(*screen.parentWidget())};
 }
 
 void Viewport::Private::click(Id id, Qt::KeyboardModifiers keys)
