@@ -7,6 +7,7 @@
 
 #include "actions/actions.h"
 #include "document/document.h"
+#include "icons/complaint.h"
 #include "start/parameter_field.h"
 #include "tools/brush_tool.h"
 #include "viewport/viewport.h"
@@ -104,6 +105,7 @@ void BrushBar::layOut()
     layout->setSpacing(4);
     layout->addLayout(row);
     layout->addWidget(m_hint);
+    layout->addWidget(m_complaint);
 }
 
 void BrushBar::choose(bool isOn)

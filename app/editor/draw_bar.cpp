@@ -8,6 +8,7 @@
 
 #include "actions/actions.h"
 #include "document/document.h"
+#include "icons/complaint.h"
 #include "start/parameter_field.h"
 #include "viewport/viewport.h"
 
@@ -122,6 +123,7 @@ void DrawBar::layOut()
     layout->addLayout(words);
     layout->addLayout(what);
     layout->addLayout(where);
+    layout->addWidget(m_complaint);
 }
 
 // The field stands behind its name.

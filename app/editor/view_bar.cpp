@@ -1,7 +1,9 @@
 // settle() gives a bar its place: as wide as its words in one line, where that leaves the strip of
-// tools free, else from the strip to the other edge with its words in several lines.
+// tools free, else from the strip to the other edge with its words in several lines. complain()
+// shows what is wrong with the numbers that are seen at the moment.
 #include "editor/view_bar.h"
 
+#include "icons/complaint.h"
 #include "start/parameter_field.h"
 #include "tools/tool_strip.h"
 #include "viewport/viewport.h"
@@ -27,6 +29,7 @@ ViewBar::ViewBar(Viewport& viewport, const QString& name)
     : QFrame(&viewport)
     , m_viewport(viewport)
     , m_hint(new QLabel)
+    , m_complaint(new Complaint(this))
 {
     setObjectName(name);
     setAutoFillBackground(true);
@@ -38,7 +41,9 @@ ViewBar::ViewBar(Viewport& viewport, const QString& name)
 
 void ViewBar::settle()
 {
-    m_hint->setWordWrap(false);
+    complain();
+    for (QLabel* words : {m_hint, static_cast<QLabel*>(m_complaint)})
+        words->setWordWrap(false);
     layout()->activate();
     QRect place(QPoint(), layout()->totalSizeHint());
     place.moveLeft(std::max((m_viewport.width() - place.width()) / 2, fromEdge));
@@ -51,11 +56,20 @@ void ViewBar::settle()
     tellView();
 }
 
+void ViewBar::complain()
+{
+    const auto wrong = std::ranges::find_if(m_numbers, [this](const ParameterField* number) {
+        return number->isVisibleTo(this) && !number->refusal().isEmpty();
+    });
+    m_complaint->tell(wrong == m_numbers.end() ? QString() : (*wrong)->refusal());
+}
+
 // From the strip of tools, wherever it ends, to the other edge; over the strip only where the view
 // has no room for the fields otherwise.
 QRect ViewBar::inSeveralLines()
 {
-    m_hint->setWordWrap(true);
+    for (QLabel* words : {m_hint, static_cast<QLabel*>(m_complaint)})
+        words->setWordWrap(true);
     layout()->activate();
     const int right = m_viewport.width() - fromEdge;
     const int least = layout()->totalMinimumSize().width();
@@ -98,9 +112,12 @@ ParameterField* ViewBar::numberField(const Parameter& parameter, double value,
     auto* number = new ParameterField(parameter);
     number->setValue(value);
     number->setMaximumWidth(parameter.unit.empty() ? bareWidth : fieldWidth);
-    connect(number, &ParameterField::changed, this, [number, take] {
+    m_numbers.push_back(number);
+    connect(number, &ParameterField::changed, this, [this, number, take] {
         if (number->isInRange())
             take(number->value());
+        if (isVisible())
+            settle();
     });
     return number;
 }

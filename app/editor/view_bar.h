@@ -9,12 +9,14 @@
 #include <QFrame>
 
 #include <functional>
+#include <vector>
 
 class QComboBox;
 class QLabel;
 
 namespace ripstop {
 
+class Complaint;
 class ParameterField;
 struct Parameter;
 class Viewport;
@@ -35,16 +37,20 @@ protected:
     QComboBox* chooser(const QString& name, const QString& help, const QStringList& choices,
                        int chosen, const std::function<void(int)>& choose);
 
-    // What cannot be read, or is out of range, is not taken.
+    // What cannot be read, or is out of range, is not taken; m_complaint says what is wanted.
     ParameterField* numberField(const Parameter& parameter, double value,
                                 const std::function<void(double)>& take);
 
     Viewport& m_viewport;
-    QLabel* m_hint; // what the tool does; in several lines where there is no room for one
+    QLabel* m_hint;         // what the tool does; in several lines where there is no room for one
+    Complaint* m_complaint; // of the first number that is shown and cannot be taken
 
 private:
+    void complain();
     QRect inSeveralLines();
     void tellView();
+
+    std::vector<ParameterField*> m_numbers;
 };
 
 } // namespace ripstop

@@ -3,11 +3,14 @@
 #include "app/sheet_shop.h"
 
 #include "actions/actions.h"
+#include "icons/complaint.h"
 #include "overlays/legend.h"
 #include "shaping/brush.h"
+#include "start/parameter_field.h"
 #include "tools/pointing.h"
 
 #include <QComboBox>
+#include <QLineEdit>
 
 namespace ripstop::test_painting {
 
@@ -108,6 +111,45 @@ private slots:
         QCOMPARE(presses.count, 0);
         QTest::mouseClick(&shop.viewport, Qt::LeftButton, {}, QPoint(1, 1));
         QCOMPARE(presses.count, 1);
+    }
+
+    // A number that cannot be taken says what can, in the bar and in its tip, until it is mended or
+    // another number is painted.
+    void theBarSaysWhatANumberMustBe()
+    {
+        Shop shop(elasticSheet());
+        shop.run("toolBrush");
+        auto* bar = shop.viewport.findChild<QWidget*>("brushBar");
+        QTRY_VERIFY(bar->isVisible());
+        const auto* complaint = bar->findChild<Complaint*>();
+        QVERIFY(!complaint->isVisible());
+        const auto fields = bar->findChildren<ParameterField*>();
+        const auto strength = *std::ranges::find_if(fields, &ParameterField::isVisible);
+        auto* number = strength->findChild<QLineEdit*>();
+        const auto type = [&](const char* text) {
+            number->selectAll();
+            QTest::keyClicks(number, text);
+        };
+        const double before = shop.viewport.brush().values[0];
+        for (const char* text : {"-2", "soft"}) {
+            type(text);
+            QVERIFY(complaint->isVisible());
+            QCOMPARE(complaint->text(), QString("Strength must be a number from 0.001 to 1000."));
+            QVERIFY(strength->toolTip().contains(complaint->text()));
+            QVERIFY(shop.viewport.rect().contains(bar->geometry()));
+            QCOMPARE(shop.viewport.brush().values[0], before);
+        }
+        auto* what = bar->findChild<QComboBox*>();
+        what->setCurrentIndex(int(Painted::Grain));
+        emit what->activated(int(Painted::Grain));
+        QVERIFY(!complaint->isVisible());
+        what->setCurrentIndex(int(Painted::Strength));
+        emit what->activated(int(Painted::Strength));
+        QVERIFY(complaint->isVisible());
+        type("0.7");
+        QVERIFY(!complaint->isVisible());
+        QVERIFY(!strength->toolTip().contains("must"));
+        QCOMPARE(shop.viewport.brush().values[0], 0.7);
     }
 
     void escapeGivesUpTheStrokeAndThenTheTool()

@@ -17,8 +17,10 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QSpinBox>
+#include <QToolTip>
 #include <qcustomplot.h>
 
 #include <set>
@@ -276,6 +278,21 @@ private slots:
         QFile ledger(shop.folder.filePath("a.ripstop-runs/shard-1-of-1.jsonl"));
         QVERIFY(ledger.open(QIODevice::ReadOnly));
         QCOMPARE(ledger.readAll().count("{\"key\""), 5);
+    }
+
+    void aRedFieldSaysWhyInItsTip()
+    {
+        StudyShop shop;
+        shop.shelf().study(shop.property(Kind::Particle, "mass"), {weight});
+        auto* seconds = shop.panel.form().findChild<ValueEdit*>();
+        seconds->selectAll();
+        QTest::keyClicks(seconds, "long");
+        const QPoint inside(5, 5);
+        QHelpEvent asks(QEvent::ToolTip, inside, seconds->mapToGlobal(inside));
+        QApplication::sendEvent(seconds, &asks);
+        const QString tip = QToolTip::text();
+        QVERIFY2(tip.contains("The time must be a number in s"), qPrintable(tip));
+        QToolTip::hideText();
     }
 
     // A search by the form alone: what is wanted, how it is looked for, and the pictures of it.

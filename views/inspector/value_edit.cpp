@@ -4,8 +4,12 @@
 // broken text.
 #include "inspector/value_edit.h"
 
+#include "document/plain_text.h"
+
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -90,6 +94,14 @@ void ValueEdit::complain(const QString& sentence)
     m_complaint = sentence;
     update();
     emit complained(sentence);
+}
+
+bool ValueEdit::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip || !isBroken())
+        return NumberLine::event(event);
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), shownAsIs(m_complaint), this);
+    return true;
 }
 
 void ValueEdit::keyPressEvent(QKeyEvent* event)

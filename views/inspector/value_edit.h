@@ -1,8 +1,9 @@
 // A line that holds the text of a value.
 //
-// While a person types, the text is judged and a broken one gets a red outline; Enter commits,
-// Escape and leaving a broken text revert. A text that is being typed is not overwritten by values
-// from outside. The unit stands at the right end and is not part of the text.
+// While a person types, the text is judged and a broken one gets a red outline, and its tool tip
+// says why; Enter commits, Escape and leaving a broken text revert. A text that is being typed is
+// not overwritten by values from outside. The unit stands at the right end and is not part of the
+// text.
 #pragma once
 
 #include "document/number_line.h"
@@ -41,6 +42,7 @@ private:
     bool commit();
     void revert();
     void complain(const QString& sentence);
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

@@ -248,9 +248,13 @@ void ParameterField::mark()
     });
     m_unit->setText(hasUnit ? QString() : unitText(m_parameter));
     QPalette colors;
-    if (!isInRange())
+    const QString wrong = refusal();
+    if (!wrong.isEmpty())
         colors.setColor(QPalette::Text, wrongColor(colors));
     m_number->setPalette(colors);
+    setToolTip(wrong.isEmpty() ? help(m_parameter)
+                               : QStringLiteral("<p><b>%1</b></p>").arg(wrong.toHtmlEscaped())
+                                     + help(m_parameter));
 }
 
 // The first digits of a number that is refused are no number that was meant.

@@ -3,8 +3,8 @@
 //
 // Another unit of the same measure may be typed behind the number ("12 cm"), and so may a product
 // ("2 * 1.2"). A text that cannot be read is kept and marked, and has the value NaN; refusal() then
-// says what is wanted. The Parameter must outlive the field: it is a row of a static table. Only
-// the window's thread uses it.
+// says what is wanted, as the tool tip does. The Parameter must outlive the field: it is a row of a
+// static table. Only the window's thread uses it.
 #pragma once
 
 #include "builders/builder.h"
