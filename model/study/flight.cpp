@@ -94,6 +94,7 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
         if (curves)
             curves->take(simulation.sample());
     };
+    StudyProgress::Flight underWay(plan.progress, plan.seconds);
     read();
     if (recorder)
         recorder->loaded(simulation, {std::make_shared<const Scene>(scene), {}});
@@ -111,6 +112,7 @@ std::optional<FlightResult> fly(const Scene& scene, const ControlTrack& controls
             break;
         }
         read();
+        underWay.reached(simulation.state().time);
         if (plan.untilTear && !simulation.state().tears.empty())
             break;
     }

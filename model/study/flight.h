@@ -4,6 +4,7 @@
 #include "io/control_track.h"
 #include "scene/scene.h"
 #include "study/measure.h"
+#include "study/study_progress.h"
 
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,7 @@ struct FlightPlan
     double from = 0.0;             // s, of the usual ones
     int threads = 1;
     std::function<bool()> isInterrupted = [] { return false; }; // asked between steps
+    StudyProgress* progress = nullptr; // hears after each step how far the flight is; may be null
 };
 
 struct FlightResult

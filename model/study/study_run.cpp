@@ -275,6 +275,8 @@ Result<StudyFlown> flyMissing(const OpenedStudy& study, const Shard& shard, int 
         flown.ofOthers = leaveToOthers(points, shard);
         const std::size_t count = countOf(points);
         flown.planned = flown.tally.flown + count;
+        if (opened.plan.progress)
+            opened.plan.progress->plan(flown.planned);
         if (count == 0) {
             if (opened.study.keep != KeptRuns::Best)
                 return flown;

@@ -95,7 +95,9 @@ using ToldOfRecordings = std::function<void(std::size_t done, std::size_t wanted
 // then those of the best again whose recordings the study keeps and does not have.
 // `told` hears of each flight once it is in the ledger, `recorded` before the first of the best and
 // after each; from the thread that flew it, one at a time. `isInterrupted` is asked by any of these
-// threads at any time. Fails when a ledger cannot be read or written.
+// threads at any time, between two steps. The progress of the plan (opened.plan.progress), where
+// there is one, hears how many flights it will be and how far those are that are under way. Fails
+// when a ledger cannot be read or written.
 Result<StudyFlown> flyMissing(
     const OpenedStudy& opened, const Shard& shard, int jobs,
     const std::function<bool()>& isInterrupted, const ToldOfFlight& told,

@@ -19,6 +19,7 @@
 #include <QDoubleSpinBox>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QProgressBar>
 #include <QSpinBox>
 #include <QToolTip>
 #include <qcustomplot.h>
@@ -293,6 +294,26 @@ private slots:
         const QString tip = QToolTip::text();
         QVERIFY2(tip.contains("The time must be a number in s"), qPrintable(tip));
         QToolTip::hideText();
+    }
+
+    // The bar goes on within a flight, which may be ended in the middle: no row is kept of it.
+    void progressGoesOnWithinAFlight()
+    {
+        StudyShop shop("delta_kite");
+        shop.shelf().study(shop.property(Kind::Settings, "airDensity"), {settingsId});
+        shop.setSeconds(1e4);
+        const auto* bar = shop.panel.findChild<QProgressBar*>();
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.panel.runner().flown() > 0.002, patience);
+        const double before = shop.panel.runner().flown();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.panel.runner().flown() > before, patience);
+        QVERIFY(shop.panel.runner().flown() < 1.0);
+        QVERIFY(bar->value() >= 0 && bar->maximum() >= 1000);
+        QCOMPARE(shop.panel.runner().planned(), std::size_t(5));
+        QTest::mouseClick(&shop.button("Stop"), Qt::LeftButton);
+        QVERIFY(shop.isDone());
+        QCOMPARE(shop.panel.runner().tally().flown, std::size_t(0));
+        QCOMPARE(bar->value(), 0);
     }
 
     // A search by the form alone: what is wanted, how it is looked for, and the pictures of it.

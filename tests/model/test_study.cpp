@@ -372,6 +372,31 @@ private slots:
         QCOMPARE(all.size(), std::size_t(7));
     }
 
+    // Between two steps one is told how far the flight is, and may end it there.
+    void tellsHowFarAFlightIs()
+    {
+        StudyProgress progress;
+        std::vector<double> shares;
+        FlightPlan plan;
+        plan.seconds = 0.5;
+        plan.progress = &progress;
+        plan.isInterrupted = [&] {
+            shares.push_back(progress.underWay());
+            return false;
+        };
+        QVERIFY(fly(tether(), {}, plan));
+        QVERIFY(shares.size() > 10);
+        QVERIFY(std::ranges::is_sorted(shares));
+        QCOMPARE(shares.front(), 0.0);
+        for (std::size_t i = 0; i < shares.size(); ++i) // steps are of one length
+            QVERIFY(std::abs(shares[i] - double(i) / double(shares.size())) < 1e-6);
+        QCOMPARE(progress.underWay(), 0.0); // it is over
+
+        plan.isInterrupted = [&] { return progress.underWay() > 0.5; };
+        QVERIFY(!fly(tether(), {}, plan));
+        QCOMPARE(progress.underWay(), 0.0);
+    }
+
     // W (1 + sqrt(1 + 2 h k / W)) is the most that a tether of stiffness k pulls when the weight W
     // has fallen by h: it tears where its limit is less. With default settings, every cell of the
     // map is right that is farther from the border than the time step loses of the swing.

@@ -106,6 +106,7 @@ void StudyPanel::hearRunner()
 {
     connect(m_runner.get(), &StudyRunner::opened, this, &StudyPanel::showOpened);
     connect(m_runner.get(), &StudyRunner::recorded, this, &StudyPanel::showState);
+    connect(m_runner.get(), &StudyRunner::progressed, this, &StudyPanel::showState);
     connect(m_runner.get(), &StudyRunner::compared, this, &StudyPanel::showCompared);
     connect(m_runner.get(), &StudyRunner::grew, this, &StudyPanel::refreshSometimes);
     connect(m_runner.get(), &StudyRunner::ended, this, [this] {
@@ -387,6 +388,14 @@ void StudyPanel::stop()
     m_runner->stop();
 }
 
+// In thousandths, as a flight may take long.
+void StudyPanel::showProgress(double flown, double all)
+{
+    constexpr int steps = 1000;
+    m_progress->setMaximum(steps);
+    m_progress->setValue(int(steps * flown / std::max(1.0, all)));
+}
+
 void StudyPanel::showState()
 {
     using Task = StudyRunner::Task;
@@ -407,21 +416,24 @@ void StudyPanel::showState()
                                        : m_runner->flights().size());
     m_progress->setVisible(isKnown || task != Task::None);
     if (task == Task::Comparing) {
-        m_progress->setMaximum(std::max(1, int(m_runner->planned())));
-        m_progress->setValue(int(m_runner->done()));
+        showProgress(m_runner->flown(), double(m_runner->planned()));
         m_progress->setFormat(
             tr("%1 of %2 flown again").arg(m_runner->done()).arg(m_runner->planned()));
         return m_state->setText(tr("Flying them again…"));
     }
     const StudyRunner::Recorded best = m_runner->bestRecorded();
     if (task == Task::Flying && best.wanted > 0) {
-        m_progress->setMaximum(int(best.wanted));
-        m_progress->setValue(int(best.done));
+        showProgress(m_runner->flown(), double(best.wanted));
         m_progress->setFormat(tr("%1 of the %2 best recorded").arg(best.done).arg(best.wanted));
         return m_state->setText(tr("Flying the best again for their recordings…"));
     }
-    m_progress->setMaximum(task == Task::Opening || task == Task::Watching ? 0 : std::max(1, all));
-    m_progress->setValue(int(tally.flown));
+    const double underWay = m_runner->flown() - double(m_runner->done());
+    if (task == Task::Opening)
+        m_progress->setMaximum(0);
+    else if (task == Task::Watching)
+        showProgress(m_runner->flown(), 1.0);
+    else
+        showProgress(double(tally.flown) + (task == Task::Flying ? underWay : 0.0), all);
     m_progress->setFormat(isSearch      ? tr("%1 flown along the tear line").arg(tally.flown)
                           : isOptimised ? tr("%1 of up to %2 flown").arg(tally.flown).arg(all)
                                         : tr("%1 of %2 flown").arg(tally.flown).arg(all));
@@ -468,13 +480,6 @@ void StudyPanel::showEvent(QShowEvent* event)
 }
 
 // --- what is done with a flight -----------------------------------------------------------------
-
-void StudyPanel::compare(const std::vector<std::size_t>& points)
-{
-    const std::size_t count = std::min(points.size(), StudyView::mostCompared);
-    m_runner->compare({points.end() - std::ptrdiff_t(count), points.end()}, jobs());
-    showState();
-}
 
 void StudyPanel::saveTable()
 {

@@ -77,6 +77,7 @@ private:
     bool isOfTheDesign() const; // the study that is shown
     void showOpened();
     void showState();
+    void showProgress(double flown, double all);
     void refreshSometimes(); // there are more flights
     void showFailure(const Message& why);
     void watched(std::size_t point);

@@ -15,6 +15,13 @@
 
 namespace ripstop {
 
+void StudyPanel::compare(const std::vector<std::size_t>& points)
+{
+    const std::size_t count = std::min(points.size(), StudyView::mostCompared);
+    m_runner->compare({points.end() - std::ptrdiff_t(count), points.end()}, jobs());
+    showState();
+}
+
 void StudyPanel::watched(std::size_t point)
 {
     const auto kept = m_runner->kept(point);

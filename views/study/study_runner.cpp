@@ -3,6 +3,7 @@
 // joined before another starts, and what it has posted is dropped by its number.
 #include "study/study_runner.h"
 
+#include "document/time_left.h"
 #include "study/kept_runs.h"
 #include "study/many.h"
 #include "study/study_search.h"
@@ -57,6 +58,12 @@ void StudyRunner::begin(Task task, Work work)
 {
     stop();
     m_task = task;
+    m_planned = m_done = 0;
+    m_flown = 0.0;
+    m_bestRecorded = m_newRecorded = {};
+    m_progress.plan(0);
+    m_clock.start();
+    m_tick.start();
     m_thread = std::jthread([this, work, number = ++m_number] {
         const std::function<void()> outcome = work();
         QMetaObject::invokeMethod(
@@ -98,6 +105,7 @@ void StudyRunner::open(const std::filesystem::path& file)
         found->flights = flightsOf(*found->study, found->content.rows);
         return [this, found] {
             m_study = found->study;
+            m_study->plan.progress = &m_progress;
             m_rows = std::move(found->content.rows); // rows stay where they are
             m_otherBuild = found->content.other;
             m_flights = std::move(found->flights);
@@ -116,7 +124,6 @@ void StudyRunner::fly(int jobs)
         const auto tell = [this](const FlightNews& news) {
             const std::lock_guard lock(m_mutex);
             m_news.push_back({news.point, news.key, news.flight});
-            m_newPlan = news.flown.planned;
         };
         const auto recorded = [this](std::size_t done, std::size_t wanted) {
             const std::lock_guard lock(m_mutex);
@@ -130,11 +137,6 @@ void StudyRunner::fly(int jobs)
             emit grew();
         };
     });
-    m_planned = 0;
-    m_done = 0;
-    m_bestRecorded = m_newRecorded = {};
-    m_clock.start();
-    m_tick.start();
 }
 
 void StudyRunner::collect()
@@ -145,13 +147,30 @@ void StudyRunner::collect()
         const std::lock_guard lock(m_mutex);
         news.swap(m_news);
         best = m_newRecorded;
-        if (m_task == Task::Flying)
-            m_planned = m_newPlan;
     }
+    if (m_task == Task::Flying)
+        m_planned = m_progress.planned();
     collectRecordings();
     collectBest(best);
-    if (news.empty())
+    if (!news.empty())
+        collectFlights(std::move(news));
+    collectProgress();
+}
+
+// A flight that is over is no longer under way a moment before it is in the ledger, which is not to
+// be seen.
+void StudyRunner::collectProgress()
+{
+    const std::size_t over = m_bestRecorded.wanted > 0 ? m_bestRecorded.done : m_done;
+    const double flown = double(over) + m_progress.underWay();
+    if (flown <= m_flown)
         return;
+    m_flown = flown;
+    emit progressed();
+}
+
+void StudyRunner::collectFlights(std::vector<Flown> news)
+{
     for (Flown& one : news) {
         const auto [row, isNew] = m_rows.emplace(one.key, std::move(one.flight));
         if (one.point < m_flights.size())
@@ -169,8 +188,10 @@ void StudyRunner::collectBest(Recorded best)
 {
     if (m_task != Task::Flying || best == m_bestRecorded)
         return;
-    if (m_bestRecorded.wanted == 0)
-        m_clock.restart(); // of what is left
+    if (m_bestRecorded.wanted == 0) { // of what is left
+        m_clock.restart();
+        m_flown = 0.0;
+    }
     m_bestRecorded = best;
     emit recorded();
 }
@@ -270,20 +291,14 @@ void StudyRunner::compare(const std::vector<std::size_t>& points, int jobs)
         };
     });
     m_planned = count;
-    m_done = 0;
-    m_bestRecorded = {};
-    m_clock.start();
-    m_tick.start();
 }
 
 double StudyRunner::secondsLeft() const
 {
-    const auto [done, wanted] =
-        m_bestRecorded.wanted > 0 ? m_bestRecorded : Recorded{m_done, m_planned};
-    if ((m_task != Task::Flying && m_task != Task::Comparing) || done == 0)
-        return std::numeric_limits<double>::quiet_NaN();
-    const double each = 1e-3 * double(m_clock.elapsed()) / double(done);
-    return each * double(wanted - std::min(done, wanted));
+    const std::size_t wanted = m_bestRecorded.wanted > 0 ? m_bestRecorded.wanted : m_planned;
+    return m_task == Task::None || wanted == 0
+               ? std::numeric_limits<double>::quiet_NaN()
+               : ripstop::secondsLeft(1e-3 * double(m_clock.elapsed()), m_flown / double(wanted));
 }
 
 } // namespace ripstop

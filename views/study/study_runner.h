@@ -55,6 +55,9 @@ public:
     std::shared_ptr<const Kept> kept(std::size_t point) const; // null: it is not
     std::size_t planned() const { return m_planned; }          // flights of the task, and
     std::size_t done() const { return m_done; }                // how many of them are over
+    // Those that are over and the shares of those under way; of the best ones alone while these are
+    // flown again. It never becomes less.
+    double flown() const { return m_flown; }
     // While flying: of the best flights, which are flown again for their recordings once all others
     // are over. None are wanted before that.
     struct Recorded
@@ -65,7 +68,7 @@ public:
         bool operator==(const Recorded&) const = default;
     };
     Recorded bestRecorded() const { return m_bestRecorded; }
-    double secondsLeft() const; // while flying, as far as can be told; else not a number
+    double secondsLeft() const; // of what flies, as far as can be told; else not a number
 
 signals:
     void opened();
@@ -74,6 +77,7 @@ signals:
     void failed(const ripstop::Message& why);
     void watched(std::size_t point); // kept() has it
     void recorded();                 // one more of those that are compared, or of the best
+    void progressed();               // flown() is more
     void compared(const std::vector<std::size_t>& points);
 
 private:
@@ -98,6 +102,8 @@ private:
     void collect();
     void collectRecordings();
     void collectBest(Recorded best);
+    void collectFlights(std::vector<Flown> news);
+    void collectProgress();
 
     std::shared_ptr<OpenedStudy> m_study; // the points of an optimisation become more
     LedgerRows m_rows;
@@ -107,17 +113,18 @@ private:
     int m_number = 0;          // of what was begun last
     std::size_t m_planned = 0; // since the flying began, as far as it is known
     std::size_t m_done = 0;    // of those
+    double m_flown = 0.0;      // with those under way
     Recorded m_bestRecorded;
     QElapsedTimer m_clock;          // since it began
-    QTimer m_tick;                  // while flying
+    QTimer m_tick;                  // while something is under way
     std::vector<FlownAgain> m_kept; // the newest last
     std::atomic<bool> m_stops = false;
     std::mutex m_mutex;
     std::vector<Flown> m_news; // of the threads that fly
     std::vector<FlownAgain> m_newKept;
-    std::size_t m_newPlan = 0; // and how many they are to fly
     Recorded m_newRecorded;
-    std::jthread m_thread; // last: it ends before what it uses
+    StudyProgress m_progress; // of those threads
+    std::jthread m_thread;    // last: it ends before what it uses
 };
 
 } // namespace ripstop
