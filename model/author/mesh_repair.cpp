@@ -22,6 +22,10 @@ namespace {
 // A face is none when its area is below this share of the square of its longest side.
 constexpr double noArea = 1e-9;
 
+// A polygon is flat when its corners are this near to its plane, as a share of a side of a square
+// of twice its area: nearer than fabric or a figure of it could tell.
+constexpr double flatWithin = 1e-3;
+
 Vec3 middleOf(std::span<const int> corners, const std::vector<Vec3>& points)
 {
     Vec3 sum = Vec3::Zero();
@@ -270,8 +274,14 @@ private:
             const std::span<const int> corners = mesh().face(i);
             splitPolygon(corners, mesh().points, m_result.triangles);
             m_result.faceOf.resize(m_result.triangles.size(), int(i));
-            if (corners.size() > 3)
-                report().add(MeshFault::SplitPolygons, middleOf(corners, mesh().points));
+            if (corners.size() <= 3)
+                continue;
+            const Vec3 middle = middleOf(corners, mesh().points);
+            report().add(MeshFault::SplitPolygons, middle);
+            const double size = std::sqrt(doubleArea(corners, mesh().points).norm()); // m
+            const double off = distanceFromPlane(corners, mesh().points);
+            if (off > std::max(m_tolerance, flatWithin * size))
+                report().addWarped(middle, off);
         }
     }
 

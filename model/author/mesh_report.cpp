@@ -29,6 +29,7 @@ const std::array<Words, meshFaultCount> table{{
     {"one_sided_edges",    MeshGravity::Warning,  Message("1 edge has no outside: the surface turns over itself like a Moebius strip."), Message("%1 edges have no outside: the surface turns over itself like a Moebius strip.")},
     {"several_shells",     MeshGravity::Note,     Message("The mesh is one piece."), Message("The mesh is %1 pieces that nothing joins. A larger weld tolerance may join those of one part; parts of their own stay apart.")},
     {"open_edges",         MeshGravity::Note,     Message("1 edge belongs to one face only: the rim of the fabric."), Message("%1 edges belong to one face only: the rim of the fabric.")},
+    {"warped_polygons",    MeshGravity::Repaired, Message("1 polygon is not flat: a corner lies %1 mm off its plane. The triangles that it became fold it along a diagonal."), Message("%2 polygons are not flat: corners lie up to %1 mm off their planes. The triangles that they became fold them along diagonals.")},
     {"split_polygons",     MeshGravity::Repaired, Message("1 polygon of more than three corners became triangles."), Message("%1 polygons of more than three corners became triangles.")},
     {"texture_seams",      MeshGravity::Note,     Message("1 vertex lies on a seam of the texture: a picture is printed by the first of its texture points. The warp follows each face."), Message("%1 vertices lie on a seam of the texture: a picture is printed by the first of their texture points. The warp follows each face.")},
     {"empty_objects",      MeshGravity::Repaired, Message("1 object, %1, has no face with an area: left out."), Message("%2 objects, %1 the first, have no face with an area: left out.")},
@@ -55,6 +56,11 @@ Message MeshFinding::text() const
         return told;
     if (!name.empty())
         return count == 1 ? wordsOf(fault).one.with(name) : wordsOf(fault).many.with(name, count);
+    if (fault == MeshFault::WarpedPolygons) {
+        const Message millimetres = Message::number("%.3g", 1e3 * farthest);
+        return count == 1 ? wordsOf(fault).one.with(millimetres)
+                          : wordsOf(fault).many.with(millimetres, count);
+    }
     if (count == 1)
         return wordsOf(fault).one;
     if (fault == MeshFault::OpenEdges && of != 1)
@@ -97,12 +103,20 @@ void MeshReport::addNamed(MeshFault fault, const std::string& name)
         finding.name = name;
 }
 
+void MeshReport::addWarped(const Vec3& place, double distance)
+{
+    add(MeshFault::WarpedPolygons, place);
+    double& farthest = m_findings[std::size_t(MeshFault::WarpedPolygons)].farthest;
+    farthest = std::max(farthest, distance);
+}
+
 void MeshReport::add(const MeshReport& other)
 {
     for (std::size_t i = 0; i < m_findings.size(); ++i) {
         MeshFinding& finding = m_findings[i];
         finding.count += other.m_findings[i].count;
         finding.of += other.m_findings[i].of;
+        finding.farthest = std::max(finding.farthest, other.m_findings[i].farthest);
         for (const Vec3& place : other.m_findings[i].places)
             if (finding.places.size() < MeshFinding::mostPlaces)
                 finding.places.push_back(place);

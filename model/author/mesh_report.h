@@ -25,6 +25,7 @@ enum class MeshFault {
     OneSidedEdges,     // where no turning over helps, as on a Moebius strip: kept
     SeveralShells,     // pieces that nothing joins: kept
     OpenEdges,         // of one face: kept, as every sail has them
+    WarpedPolygons,    // of more than three corners that lie in no plane: triangles fold them
     SplitPolygons,     // of more than three corners: made triangles
     TextureSeams,      // vertices with several texture points: the picture keeps the first one
     EmptyObjects,      // without a face that has an area: left out, each by its name
@@ -32,7 +33,7 @@ enum class MeshFault {
     StrayElements,     // lines and single points of the file: left out
     OddSize            // larger than a hall or smaller than a hand: a wrong unit?
 };
-inline constexpr int meshFaultCount = 17;
+inline constexpr int meshFaultCount = 18;
 
 // "loose_vertices", ...: as scripts know them.
 std::string_view meshFaultName(MeshFault fault);
@@ -50,6 +51,7 @@ struct MeshFinding
     std::vector<Vec3> places; // m, of the first few, after scale and axes
     Message told;             // in the place of the table's words, where there is more to say
     std::string name = {};    // of the first, for objects and files
+    double farthest = 0.0;    // m, of a corner from the plane of its polygon, of those warped
 
     // "28 vertices lie on another one: joined."
     Message text() const;
@@ -62,7 +64,8 @@ public:
     void add(MeshFault fault, std::size_t count);
     void tell(MeshFault fault, Message told); // once
     void addNamed(MeshFault fault, const std::string& name);
-    void add(const MeshReport& other); // of another object of the same file
+    void addWarped(const Vec3& place, double distance); // m, from its plane
+    void add(const MeshReport& other);                  // of another object of the same file
     void setOf(MeshFault fault, std::size_t of) { m_findings[std::size_t(fault)].of = of; }
 
     // How often; 0 for what is not wrong.

@@ -8,6 +8,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ripstop {
 namespace {
 
@@ -95,6 +98,20 @@ Vec3 doubleArea(std::span<const int> corners, const std::vector<Vec3>& points)
         sum += (points[std::size_t(corners[i])] - origin)
                    .cross(points[std::size_t(corners[i + 1])] - origin);
     return sum;
+}
+
+double distanceFromPlane(std::span<const int> corners, const std::vector<Vec3>& points)
+{
+    if (corners.size() <= 3)
+        return 0.0;
+    const Vec3 normal = doubleArea(corners, points).normalized();
+    Vec3 middle = Vec3::Zero();
+    for (const int corner : corners)
+        middle += points[std::size_t(corner)] / double(corners.size());
+    double farthest = 0.0;
+    for (const int corner : corners)
+        farthest = std::max(farthest, std::abs(normal.dot(points[std::size_t(corner)] - middle)));
+    return farthest;
 }
 
 bool isConvexQuad(std::span<const int> corners, const std::vector<Vec3>& points)

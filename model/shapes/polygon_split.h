@@ -24,6 +24,11 @@ void splitPolygon(std::span<const int> corners, const std::vector<Vec3>& points,
 // Twice the area vector of a polygon (Newell), in the square of the unit of the points.
 Vec3 doubleArea(std::span<const int> corners, const std::vector<Vec3>& points);
 
+// How far the corner that is farthest off lies from the plane of a polygon, which goes through the
+// middle of its corners and across its area vector; in the unit of the points. A triangle and a
+// polygon without area have none: 0.
+double distanceFromPlane(std::span<const int> corners, const std::vector<Vec3>& points);
+
 // Whether a quad has no hollow or straight corner, nor one that is straight but for a thousandth of
 // its area, seen along its area vector.
 bool isConvexQuad(std::span<const int> corners, const std::vector<Vec3>& points);

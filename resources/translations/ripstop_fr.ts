@@ -5843,6 +5843,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>
+        <source>%2 polygons are not flat: corners lie up to %1 mm off their planes. The triangles that they became fold them along diagonals.</source>
+        <translation>%2 polygones ne sont pas plans : des coins sont jusqu’à %1 mm de leur plan. Les triangles qu’ils sont devenus les plient le long de diagonales.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
         <source>1 closed piece was inside out: turned over.</source>
         <translation>1 morceau fermé était à l’envers : retourné.</translation>
     </message>
@@ -5890,6 +5895,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_report.cpp"/>
         <source>1 object, %1, has no face with an area: left out.</source>
         <translation>1 objet, %1, n’a aucune face d’aire non nulle : écarté.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 polygon is not flat: a corner lies %1 mm off its plane. The triangles that it became fold it along a diagonal.</source>
+        <translation>1 polygone n’est pas plan : un coin est à %1 mm de son plan. Les triangles qu’il est devenu le plient le long d’une diagonale.</translation>
     </message>
     <message>
         <location filename="mesh_report.cpp"/>

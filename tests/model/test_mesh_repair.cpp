@@ -60,6 +60,8 @@ private slots:
         row("a cube without a side", QByteArray(cube).replace("f 5 6 7 8\n", ""),
             MeshFault::OpenEdges, 4, 10);
         row("polygons", square, MeshFault::SplitPolygons, 1, 2);
+        row("a square with a corner that is lifted",
+            "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n", MeshFault::WarpedPolygons, 1, 2);
         row("a seam of the texture",
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\n"
             "f 1/1 2/2 3/3\nf 1/1 3/4 4/2\nf 2 5 3\n",
@@ -84,6 +86,50 @@ private slots:
         QVERIFY(found->text().english().find('%') == std::string::npos);
         QVERIFY(MeshFault(fault) == MeshFault::OddSize
                 || MeshFault(fault) == MeshFault::StrayElements || !found->places.empty());
+    }
+
+    // Corners at +d and -d in turn lie d from the plane in their middle. What is flat but for the
+    // last digits of a file is not told; of several objects the farthest corner counts.
+    void warpedPolygonsSayHowFar_data()
+    {
+        QTest::addColumn<double>("offset"); // m, of every second corner to either side
+        QTest::addColumn<QString>("told");
+        QTest::newRow("flat") << 0.0 << "";
+        QTest::newRow("nearly flat") << 5e-4 << "";
+        QTest::newRow("warped") << 0.05
+                                << "2 polygons are not flat: corners lie up to 50 mm off their "
+                                   "planes. The triangles that they became fold them along "
+                                   "diagonals.";
+    }
+    void warpedPolygonsSayHowFar()
+    {
+        QFETCH(double, offset);
+        QFETCH(QString, told);
+        QByteArray text;
+        int first = 1;
+        for (const double d : {0.5 * offset, offset}) {
+            text += "o square" + QByteArray::number(first) + '\n';
+            for (const auto& [x, y, z] : {std::tuple(0, 0, d), std::tuple(1, 0, -d),
+                                          std::tuple(1, 1, d), std::tuple(0, 1, -d)})
+                text += "v " + QByteArray::number(x + 2 * first) + ' ' + QByteArray::number(y) + ' '
+                        + QByteArray::number(z) + '\n';
+            text += "f";
+            for (int i = 0; i < 4; ++i)
+                text += ' ' + QByteArray::number(first + i);
+            text += '\n';
+            first += 4;
+        }
+        MeshShape shape;
+        shape.parts = MeshParts::PerObject;
+        const auto mesh = prepared(meshOf(text.constData()), shape);
+        QVERIFY(mesh);
+        const auto findings = mesh->report.findings();
+        const auto found =
+            std::ranges::find(findings, MeshFault::WarpedPolygons, &MeshFinding::fault);
+        QCOMPARE(found == findings.end() ? QString()
+                                         : QString::fromStdString(found->text().english()),
+                 told);
+        QCOMPARE(mesh->report.count(MeshFault::SplitPolygons), 2u);
     }
 
     // Fabric larger than 30 m or smaller than 5 cm is told of, with the unit that would make it a
