@@ -70,8 +70,9 @@ std::string keptText(const OpenedStudy& opened, const StudyFlights& flights,
     return text;
 }
 
-// What is flown of a design that was edited since flights of the study were flown.
-enum class EditedDesign { Refuse, AsItIs, AsItWas };
+// What is flown or told of a design that was edited since flights of the study were flown. As it is
+// it has none of these flights.
+enum class EditedDesign { Refuse, Warn, AsItIs, AsItWas };
 
 Result<OpenedStudy> openWith(const std::string& file, EditedDesign edited)
 {
@@ -85,10 +86,16 @@ Result<OpenedStudy> openWith(const std::string& file, EditedDesign edited)
     if (designs.empty() || std::ranges::find(designs, opened->keys.design()) != designs.end())
         return opened;
     const std::string scene = opened->sceneFile.string();
-    if (edited == EditedDesign::Refuse)
-        return Failure("%1 was edited since this study was flown. With --anew it is flown anew as "
-                       "it is now, with --keep the study goes on with the design as it was.",
-                       scene);
+    if (edited != EditedDesign::AsItWas) {
+        const Failure asked("%1 was edited since this study was flown. study run --anew flies it "
+                            "anew as it is now, with --keep the study goes on with the design as "
+                            "it was.",
+                            scene);
+        if (edited == EditedDesign::Refuse)
+            return asked;
+        warn(asked.message.english());
+        return opened;
+    }
     auto before = openStudy(file, keptDesign(ledgerFolder(file), designs.back()));
     if (before && before->keys.design() != designs.back())
         return Failure("%1 was edited since this study was flown, and so were the files that it "
@@ -288,7 +295,13 @@ int withKnown(const std::string& file, EditedDesign edited, const std::vector<st
     if (!known)
         return fail(BadInput, known.message());
     followSearch(*opened, known->rows);
-    return write(*opened, flightsOf(*opened, known->rows));
+    const StudyFlights flights = flightsOf(*opened, known->rows);
+    if (!known->rows.empty() && tallyOf(flights).flown == 0) // a file may tell of those
+        return fail(BadInput, "None of the " + std::to_string(known->rows.size())
+                                  + " flights kept beside " + file
+                                  + " is of a point as study, files and program are now; nothing "
+                                    "was written. Fly it with study run.");
+    return write(*opened, flights);
 }
 
 // To the file, or to standard output without one.
@@ -420,9 +433,14 @@ void addStudy(CLI::App& app, Command& chosen)
         bool keeps = false;
         bool isAnew = false;
 
-        // What is told is of the design as it is, unless that of before is asked for.
-        EditedDesign told() const { return keeps ? EditedDesign::AsItWas : EditedDesign::AsItIs; }
-        EditedDesign flown() const { return !keeps && !isAnew ? EditedDesign::Refuse : told(); }
+        // Where the design was edited, nothing is flown, and no file written over one that may
+        // tell of the design as it was, until it is said of which.
+        EditedDesign edited(EditedDesign otherwise = EditedDesign::Refuse) const
+        {
+            if (keeps)
+                return EditedDesign::AsItWas;
+            return isAnew ? EditedDesign::AsItIs : otherwise;
+        }
     };
     const auto options = std::make_shared<Options>();
     const auto addKeep = [&](CLI::App& command) {
@@ -441,7 +459,7 @@ void addStudy(CLI::App& app, Command& chosen)
         ->excludes(addKeep(*run));
     run->callback([options, &chosen] {
         chosen = [options] {
-            return runStudy(options->file, options->shard, options->jobs, options->flown());
+            return runStudy(options->file, options->shard, options->jobs, options->edited());
         };
     });
 
@@ -450,7 +468,9 @@ void addStudy(CLI::App& app, Command& chosen)
     told->add_flag("--json", options->json, "As a JSON object");
     addKeep(*told);
     told->callback([options, &chosen] {
-        chosen = [options] { return status(options->file, options->json, options->told()); };
+        chosen = [options] {
+            return status(options->file, options->json, options->edited(EditedDesign::Warn));
+        };
     });
 
     CLI::App* merged = study->add_subcommand("merge", "Write one table of what all shards flew.");
@@ -464,7 +484,7 @@ void addStudy(CLI::App& app, Command& chosen)
     addKeep(*merged);
     merged->callback([options, &chosen] {
         chosen = [options] {
-            return merge(options->file, options->told(), options->output, options->database);
+            return merge(options->file, options->edited(), options->output, options->database);
         };
     });
 
@@ -477,7 +497,7 @@ void addStudy(CLI::App& app, Command& chosen)
     addKeep(*reported);
     reported->callback([options, &chosen] {
         chosen = [options] {
-            return report(options->file, options->told(), options->output, options->isHtml);
+            return report(options->file, options->edited(), options->output, options->isHtml);
         };
     });
 

@@ -137,6 +137,18 @@ private slots:
         QVERIFY2(asked.exitCode != 0 && asked.error.contains("--anew")
                      && asked.error.contains("--keep"),
                  qPrintable(asked.error));
+        const QString output = folder.filePath("s.csv");
+        QVERIFY(QFile::copy(design, output)); // stands for a table of the flights of before
+        for (const char* writes : {"merge", "report"}) {
+            const Outcome refused = call({"study", writes, study, "-o", output});
+            QVERIFY(refused.exitCode != 0);
+            QCOMPARE(refused.error, asked.error);
+            QCOMPARE(contentOf(output), after);
+        }
+        const Outcome told = call({"study", "status", study, "--json"});
+        QCOMPARE(told.json()["flown"].toInt(), 0);
+        QVERIFY2(told.error.contains("--anew"), qPrintable(told.error));
+        QVERIFY(call({"study", "status", study, "--keep"}).error.isEmpty());
         const Outcome kept = call({"study", "run", study, "--keep"});
         QVERIFY2(kept.error.contains("Flown: 1;"), qPrintable(kept.error));
         const QByteArray table = call({"study", "merge", study, "--keep"}).out;
@@ -146,6 +158,22 @@ private slots:
         QCOMPARE(call({"study", "run", study}).exitCode, 0); // now it is known
         edit(before);
         QCOMPARE(call({"study", "merge", study}).out, table);
+    }
+
+    // A study that was edited so that it has none of its flights leaves the table of before alone.
+    void tablesWithoutFlightsTakeNoPlace()
+    {
+        const Folder folder;
+        const QString output = folder.file("s.csv");
+        QCOMPARE(folder.run({"--shard", "1/10"}).exitCode, 0);
+        QCOMPARE(call({"study", "merge", folder.study(), "-o", output}).exitCode, 0);
+        const QByteArray table = contentOf(output);
+        write(folder.study(),
+              contentOf(folder.study()).replace("\"seconds\": 2", "\"seconds\": 1"));
+        const Outcome refused = call({"study", "merge", folder.study(), "-o", output});
+        QVERIFY2(refused.exitCode != 0 && refused.error.contains("study run"),
+                 qPrintable(refused.error));
+        QCOMPARE(contentOf(output), table);
     }
 
     // A control track is a value like others, and what counts is what stands in the file.
