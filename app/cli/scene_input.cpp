@@ -4,10 +4,8 @@
 
 #include "check/check.h"
 #include "check/unknown.h"
-#include "derived/thread_fabric.h"
 #include "io/json_text.h"
 #include "io/scene_file.h"
-#include "scene/path.h"
 #include "scene/typed_number.h"
 #include "simulation/simulation.h"
 #include "study/point_scene.h"
@@ -76,7 +74,8 @@ void addSetOption(CLI::App& command, std::vector<std::string>& assignments)
     command
         .add_option("--set", assignments,
                     "Change a property for this call: settings.timeStep=0.002, "
-                    "\"wind.velocity=6, 0, 0\", kite.particles.mass=0.01, \"#17.mass=0.5\"; "
+                    "\"wind.velocity=6, 0, 0\", wind.velocity.x=6, kite.particles.mass=0.01, "
+                    "\"#17.mass=0.5\", or build its part again: kite.built.span=2; "
                     "may be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
@@ -84,12 +83,17 @@ void addSetOption(CLI::App& command, std::vector<std::string>& assignments)
 
 std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assignments)
 {
-    for (const std::string& text : assignments) {
-        const Result<Edit> edit = assignment(scene, text);
-        if (!edit)
-            return Failure("--set %1: %2", text, edit.message());
-        (void)apply(scene, threaded(scene, *edit));
-    }
+    if (assignments.empty())
+        return std::nullopt; // large scenes are not copied in vain
+    if (const auto controls = std::ranges::find_if(assignments, setsControls);
+        controls != assignments.end())
+        return Failure("--set %1: controls are no property; run and sweep take the file with "
+                       "--controls.",
+                       *controls);
+    auto made = sceneWith(scene, assignments);
+    if (!made)
+        return Failure("--set %1", made.message());
+    scene = std::move(*made);
     return std::nullopt;
 }
 

@@ -51,7 +51,8 @@ void tellWarnings(const Scene& scene, const std::string& file);
 // Of what a sweep or a study sets, that which changes nothing of this design.
 void tellIdle(const Scene& scene, const std::string& file, const std::vector<std::string>& paths);
 
-// Applies the assignments in their order; a failure names the first that does not fit.
+// Sets what a sweep can set, parameters of builders first (study/point_scene.h); a failure names
+// the first that does not fit.
 std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assignments);
 
 // Saves what a command has made. What --set has made of it may be something that no file can say,

@@ -271,6 +271,10 @@ int prepare(const SweepOptions& options, Sweep& sweep)
         auto axis = sweepAxis(text);
         if (!axis)
             return fail(WrongUsage, axis.message());
+        if (setsControls(axis->path))
+            return fail(WrongUsage, "--sweep " + text
+                                        + ": a sweep flies one control track, --controls FILE; a "
+                                          "study varies them.");
         sweep.axes.push_back(std::move(*axis));
     }
     if (const auto failure = findCloths(options.cloths, sweep.cloths))

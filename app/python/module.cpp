@@ -14,6 +14,7 @@
 #include "scene/path.h"
 #include "simulation/simulation.h"
 #include "study/many.h"
+#include "study/point_scene.h"
 #include "study/study_map.h"
 #include "study/study_run.h"
 #include "study/study_search.h"
@@ -123,7 +124,7 @@ py::object getValue(const Scene& scene, const std::string& path)
 
 void setValue(Scene& scene, const std::string& path, const py::object& value)
 {
-    (void)apply(scene, orRaise(assignment(scene, path + '=' + numberText(value))));
+    scene = orRaise(sceneWith(scene, {path + '=' + numberText(value)}));
 }
 
 // --- simulations --------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "author/rebuild.h"
 #include "builders/typed_parameters.h"
+#include "derived/thread_fabric.h"
 #include "scene/path.h"
 #include "scene/typed_number.h"
 
@@ -208,7 +209,8 @@ static std::optional<Failure> assign(Scene& made, const std::vector<std::string>
         auto edit = propertyAssignment(made, text);
         if (!edit)
             return Failure("%1: %2", text, edit.message());
-        take(*edit);
+        Edit whole = threaded(made, std::move(*edit));
+        take(whole);
     }
     return std::nullopt;
 }

@@ -6,7 +6,9 @@
 //     controls=launch.csv           no property: the control track that is flown (opened_study.h)
 //
 // Parts are built again first (author/rebuild.h), all of their parameters at once, and properties
-// are set in what comes of that, in their order.
+// are set in what comes of that, in their order. --set, sweeps and studies all set by this, so that
+// a row of a table can be flown again; who has threads carry a fabric that has none gets them
+// (derived/thread_fabric.h).
 #pragma once
 
 #include "base/result.h"

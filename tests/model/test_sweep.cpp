@@ -142,6 +142,38 @@ private slots:
         }
     }
 
+    // Whatever a sweep varies can be flown again by --set: a number of a vector, a parameter of a
+    // builder, and threads that carry from now on.
+    void rowsAreFlownAgain_data()
+    {
+        QTest::addColumn<QString>("design");
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("value");
+        QTest::newRow("one number of a vector") << scene("delta_kite") << "wind.velocity.x"
+                                                << "7";
+        QTest::newRow("a builder's parameter") << scene("delta_kite") << "kite.built.span"
+                                               << "2.1";
+        QTest::newRow("threads that carry") << scene("elastic_sheet") << "sheet.carrier"
+                                            << "threads";
+    }
+
+    void rowsAreFlownAgain()
+    {
+        QFETCH(QString, design);
+        QFETCH(QString, path);
+        QFETCH(QString, value);
+        const Outcome swept =
+            call({"sweep", design, "--sweep", path + '=' + value, "--seconds", "0.1"});
+        QVERIFY2(swept.exitCode == 0, qPrintable(swept.error));
+        const auto table = cellsOf(swept.out);
+        const Outcome flown =
+            call({"run", design, "--seconds", "0.1", "--set", path + '=' + value, "--json"});
+        QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
+        QCOMPARE(table[1][4], flown.json()["hash"].toString());
+        const Outcome plain = call({"run", design, "--seconds", "0.1", "--json"});
+        QVERIFY(flown.json()["hash"] != plain.json()["hash"]);
+    }
+
     // Faster than 4 m/s is refused: with 10 m/s^2 that is after 0.4 s, with 5 never.
     void aRunThatStopsSaysSo()
     {
@@ -240,6 +272,8 @@ private slots:
                                       << "no value";
         QTest::newRow("no step") << "settings.airDensity=1:0:2"
                                  << "no value";
+        QTest::newRow("control tracks") << "controls=still.csv,pulled.csv"
+                                        << "--controls";
     }
 
     void refuses()
