@@ -35,7 +35,7 @@ struct FitOptions
 // A number with a unit, or the failure that names the option.
 Result<double> quantity(const char* option, const std::string& text, std::string_view unit)
 {
-    const Typed typed = typedValue(text, unit);
+    const Typed typed = typedValue(text, unit, ThreeDigits::AreRefused);
     if (!typed.number)
         return Failure("%1 %2: It %3.", option, text, typed.complaint);
     return typed.number->number;

@@ -280,7 +280,7 @@ Result<std::optional<SettleGoal>> settleGoal(const RunOptions& options)
     SettleGoal goal{.damped = options.damped};
     goal.within = options.seconds.value_or(goal.within);
     if (!options.settleSpeed.empty()) {
-        const Typed typed = typedValue(options.settleSpeed, "m/s");
+        const Typed typed = typedValue(options.settleSpeed, "m/s", ThreeDigits::AreRefused);
         goal.speed = typed.number ? typed.number->number : 0.0;
         if (!(goal.speed > 0.0 && goal.speed < 1e9))
             return Failure("--settle: \"%1\" is no speed; give m/s above 0, like 0.01.",

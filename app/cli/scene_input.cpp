@@ -45,7 +45,9 @@ CLI::Validator numberBetween(double low, double high)
 CLI::Validator quantityBetween(double low, double high, std::string_view unit)
 {
     return {[low, high, unit](std::string& text) -> std::string {
-                const Typed typed = typedValue(text, unit);
+                const Typed typed = typedValue(text, unit, ThreeDigits::AreRefused);
+                if (!typed.number && typedValue(text, unit).number) // a comma
+                    return typed.complaint.english() + ", not " + text;
                 if (!typed.number || typed.number->number < low || typed.number->number > high)
                     return "must be a number from " + shortNumber(low) + " to " + shortNumber(high)
                            + ' ' + std::string(unit) + ", not " + text;

@@ -43,7 +43,8 @@ Result<double> parameterValue(const Builder& builder, std::string_view key, std:
         if (const auto choice = std::ranges::find(parameter->choices, text);
             choice != parameter->choices.end())
             return double(choice - parameter->choices.begin());
-    const Typed typed = typedValue(text, isKnown ? parameter->unit : std::string_view());
+    const Typed typed =
+        typedValue(text, isKnown ? parameter->unit : std::string_view(), ThreeDigits::AreRefused);
     if (typed.number)
         return typed.number->number;
     return isChoice

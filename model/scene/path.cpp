@@ -5,6 +5,7 @@
 // (weigh.h).
 #include "scene/path.h"
 
+#include "scene/typed_number.h"
 #include "scene/weigh.h"
 
 #include <charconv>
@@ -172,7 +173,8 @@ Result<Edit> assignment(const Scene& scene, std::string_view text)
     const Result<Place> place = findPlace(scene, text.substr(0, equals));
     if (!place)
         return place.failure();
-    const Result<Value> value = valueFromText(*place->property, text.substr(equals + 1));
+    const Result<Value> value = valueFromText(*place->property, text.substr(equals + 1),
+                                              place->property->unit, ThreeDigits::AreRefused);
     if (!value)
         return value.failure();
     return weighed(scene, {Message("Set %1", Message::word(place->property->label)),

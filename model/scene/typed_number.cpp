@@ -116,6 +116,28 @@ std::optional<double> bareNumber(std::string_view text)
     return value;
 }
 
+// Where "7,000" begins, a number that may be one of thousands, as 0,125 and 1234,567 cannot be.
+std::optional<std::size_t> thousandsAt(std::string_view text)
+{
+    constexpr std::string_view digits = "0123456789";
+    const auto isOf = [&](std::size_t at, std::string_view some) {
+        return at < text.size() && some.find(text[at]) != std::string_view::npos;
+    };
+    for (std::size_t comma = text.find(','); comma != std::string_view::npos;
+         comma = text.find(',', comma + 1)) {
+        std::size_t begin = comma, end = comma + 1;
+        while (begin > 0 && isOf(begin - 1, digits))
+            --begin;
+        while (isOf(end, digits))
+            ++end;
+        const bool isWhole = (begin == 0 || !isOf(begin - 1, ".,")) && !isOf(end, ".,");
+        const std::size_t before = comma - begin;
+        if (isWhole && before >= 1 && before <= 3 && text[begin] != '0' && end == comma + 4)
+            return begin;
+    }
+    return std::nullopt;
+}
+
 // Reads the whole text as a value in the wanted unit.
 Typed plain(const Rest& rest, std::string_view wanted)
 {
@@ -201,8 +223,20 @@ Value changed(const Value& before, const TypedNumber& typed, int axis)
     return typed.sort == TypedNumber::Sort::Absolute ? Value(typed.number) : before;
 }
 
-Typed typedValue(std::string_view text, std::string_view wanted)
+Typed typedValue(std::string_view text, std::string_view wanted, ThreeDigits behindComma)
 {
+    const auto thousands =
+        behindComma == ThreeDigits::AreRefused ? thousandsAt(text) : std::nullopt;
+    if (thousands) {
+        const std::size_t comma = text.find(',', *thousands);
+        const std::string whole(text.substr(*thousands, comma - *thousands));
+        const std::string behind(text.substr(comma + 1, 3));
+        return {std::nullopt,
+                Message("must be written with %1 or %2, as the comma may mean either",
+                        whole + behind, whole + '.' + behind),
+                *thousands,
+                {}};
+    }
     Rest rest{text};
     rest.trim();
     if (!rest.text.starts_with("+="))

@@ -33,9 +33,15 @@ struct Typed
 // `unit` is the wanted one, as in the table of properties; empty for a pure number.
 Typed typedNumber(std::string_view text, std::string_view unit);
 
+// What a comma with three digits behind it is, in "7,000": the window shows decimal commas where
+// its language has them, and reads them again. Command lines and studies are written with points,
+// and whoever writes a comma there may mean thousands: it is refused, and 0,5 and 1,25 are not.
+enum class ThreeDigits { AreDecimals, AreRefused };
+
 // Reads a value where there is none to change: a factor or a term (+=, -=) is refused, and a plain
 // plus before the number is a sign.
-Typed typedValue(std::string_view text, std::string_view unit);
+Typed typedValue(std::string_view text, std::string_view unit,
+                 ThreeDigits behindComma = ThreeDigits::AreDecimals);
 
 // A number, or one axis of a vector, after the change. Relative changes of whole numbers are
 // rounded; an absent value stays absent unless it is given one.
@@ -47,6 +53,7 @@ std::string_view unitOf(const Scene& scene, const Property& property, const Cons
 
 // Reads a value as valueFromText() of property.h does. Numbers without a unit of their own are in
 // `unit`.
-Result<Value> valueFromText(const Property& property, std::string_view text, std::string_view unit);
+Result<Value> valueFromText(const Property& property, std::string_view text, std::string_view unit,
+                            ThreeDigits behindComma = ThreeDigits::AreDecimals);
 
 } // namespace ripstop

@@ -155,7 +155,14 @@ struct Reading
     Message complaint = {};
 };
 
-Reading reading(bool, std::string_view text, std::string_view)
+// How numbers are typed.
+struct HowTyped
+{
+    std::string_view unit; // of those that bring none
+    ThreeDigits behindComma;
+};
+
+Reading reading(bool, std::string_view text, const HowTyped&)
 {
     if (text == "true" || text == "yes" || text == "1")
         return {true};
@@ -164,29 +171,29 @@ Reading reading(bool, std::string_view text, std::string_view)
     return {};
 }
 
-Reading reading(double, std::string_view text, std::string_view unit)
+Reading reading(double, std::string_view text, const HowTyped& how)
 {
     if (const auto plain = toNumber(text)) // reads infinities too, which refusal() names
         return {*plain};
-    const Typed typed = typedValue(text, unit);
+    const Typed typed = typedValue(text, how.unit, how.behindComma);
     return typed.number ? Reading{typed.number->number} : Reading{{}, typed.complaint};
 }
 
-Reading reading(int, std::string_view text, std::string_view unit)
+Reading reading(int, std::string_view text, const HowTyped& how)
 {
-    const Reading read = reading(0.0, text, unit);
+    const Reading read = reading(0.0, text, how);
     const double* number = read.value ? std::get_if<double>(&*read.value) : nullptr;
     if (!number || *number != std::floor(*number) || std::abs(*number) >= 2e9)
         return {};
     return {int(*number)};
 }
 
-Reading reading(const std::string&, std::string_view text, std::string_view)
+Reading reading(const std::string&, std::string_view text, const HowTyped&)
 {
     return {std::string(text)};
 }
 
-Reading reading(const Vec3&, std::string_view text, std::string_view unit)
+Reading reading(const Vec3&, std::string_view text, const HowTyped& how)
 {
     const auto parts = splitAt(',', text);
     if (parts.size() != 3)
@@ -198,7 +205,7 @@ Reading reading(const Vec3&, std::string_view text, std::string_view unit)
     Vec3 vector;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::string number = std::string(parts[i]) + (i < 2 ? unitOfAll : "");
-        const Reading part = reading(0.0, number, unit);
+        const Reading part = reading(0.0, number, how);
         if (!part.value)
             return {{}, part.complaint == Message("must be a number") ? Message() : part.complaint};
         vector[Eigen::Index(i)] = std::get<double>(*part.value);
@@ -206,7 +213,7 @@ Reading reading(const Vec3&, std::string_view text, std::string_view unit)
     return {vector};
 }
 
-Reading reading(Id, std::string_view text, std::string_view)
+Reading reading(Id, std::string_view text, const HowTyped&)
 {
     if (text.empty())
         return {noId};
@@ -214,7 +221,7 @@ Reading reading(Id, std::string_view text, std::string_view)
     return id ? Reading{*id} : Reading{};
 }
 
-Reading reading(const std::vector<Id>&, std::string_view text, std::string_view)
+Reading reading(const std::vector<Id>&, std::string_view text, const HowTyped&)
 {
     std::vector<Id> ids;
     if (!text.empty())
@@ -227,7 +234,7 @@ Reading reading(const std::vector<Id>&, std::string_view text, std::string_view)
     return {ids};
 }
 
-Reading reading(const NumberRows&, std::string_view text, std::string_view)
+Reading reading(const NumberRows&, std::string_view text, const HowTyped&)
 {
     NumberRows table;
     if (text.ends_with(';')) // a separator may end the last row
@@ -238,7 +245,7 @@ Reading reading(const NumberRows&, std::string_view text, std::string_view)
     return {std::move(table)};
 }
 
-Reading reading(std::monostate, std::string_view, std::string_view) { return {}; }
+Reading reading(std::monostate, std::string_view, const HowTyped&) { return {}; }
 
 } // namespace
 
@@ -305,15 +312,17 @@ Result<Value> valueFromText(const Property& property, std::string_view text)
     return valueFromText(property, text, property.unit);
 }
 
-Result<Value> valueFromText(const Property& property, std::string_view text, std::string_view unit)
+Result<Value> valueFromText(const Property& property, std::string_view text, std::string_view unit,
+                            ThreeDigits behindComma)
 {
     text = trimmed(text);
     if (property.optional && text.empty())
         return Value(std::monostate());
 
     const Value shape = property.optional ? Value(0.0) : property.initial;
+    const HowTyped how{unit, behindComma};
     const Reading read =
-        std::visit([&](const auto& kind) { return reading(kind, text, unit); }, shape);
+        std::visit([&](const auto& kind) { return reading(kind, text, how); }, shape);
     const auto refused = [&](const Message& reason) {
         return Failure("%1.%2 %3, not \"%4\"", Message::word(kindName(property.kind)), property.key,
                        reason, text);

@@ -115,7 +115,8 @@ Result<Edit> propertyAssignment(const Scene& scene, const std::string& text)
     if (!component || equals == std::string::npos)
         return assignment(scene, text);
     const auto& [property, targets] = component->place;
-    const Typed typed = typedValue(std::string_view(text).substr(equals + 1), property->unit);
+    const Typed typed = typedValue(std::string_view(text).substr(equals + 1), property->unit,
+                                   ThreeDigits::AreRefused);
     if (!typed.number)
         return Failure("a component of %1 %2", Message::word(property->label), typed.complaint);
     SetValues set{property, targets, {}};

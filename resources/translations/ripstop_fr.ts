@@ -18152,6 +18152,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="typed_number.cpp"/>
+        <source>must be written with %1 or %2, as the comma may mean either</source>
+        <translation>doit s’écrire avec %1 ou %2, car la virgule peut signifier l’un ou l’autre</translation>
+    </message>
+    <message>
+        <location filename="typed_number.cpp"/>
         <source>must be in %1</source>
         <translation>doit être en %1</translation>
     </message>

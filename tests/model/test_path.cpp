@@ -178,6 +178,9 @@ private slots:
                                    << "particle.mass must be a number";
         QTest::newRow("out of range") << "#11.mass=-1"
                                       << "must be at least 0";
+        QTest::newRow("thousands, or decimals") << "#11.mass=7,000"
+                                                << "must be written with 7000 or 7.000, as the "
+                                                   "comma may mean either, not \"7,000\"";
         QTest::newRow("no text at all") << ""
                                         << "write PATH=VALUE";
     }

@@ -82,7 +82,10 @@ private slots:
         QFETCH(QString, text);
         QFETCH(QString, unit);
         QFETCH(double, expected);
-        for (const auto read : {typedNumber, typedValue}) {
+        const auto value = [](std::string_view typed, std::string_view wanted) {
+            return typedValue(typed, wanted);
+        };
+        for (const auto read : {typedNumber, +value}) {
             const Typed typed = read(text.toStdString(), unit.toStdString());
             QVERIFY2(typed.number, typed.complaint.english().c_str());
             QCOMPARE(typed.number->sort, TypedNumber::Sort::Absolute);
@@ -177,6 +180,38 @@ private slots:
                  typed.complaint.english().c_str());
         if (!says.isNull())
             QCOMPARE(int(typed.at), at);
+    }
+
+    // Where points are decimals, "7,000" may be thousands, and is no number; what cannot be those
+    // is one with a decimal comma, and the window reads both.
+    void thousandsAreRefused_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("says"); // or empty, where it is a number
+        const auto row = [](const char* text, const char* says) {
+            QTest::addRow("%s", text) << QString(text) << QString(says);
+        };
+        row("7,000", "must be written with 7000 or 7.000");
+        row("1,225", "must be written with 1225 or 1.225");
+        row("-12,500 N", "must be written with 12500 or 12.500");
+        row("2*100,250", "must be written with 100250 or 100.250");
+        row("0,5", "");
+        row("1,25", "");
+        row("1,2500", "");
+        row("0,125", "");
+        row("1234,567", "");
+        row("7.000", "");
+    }
+    void thousandsAreRefused()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, says);
+        const Typed typed = typedValue(text.toStdString(), "N", ThreeDigits::AreRefused);
+        QCOMPARE(typed.number.has_value(), says.isEmpty());
+        QVERIFY2(QString::fromStdString(typed.complaint.english()).startsWith(says),
+                 typed.complaint.english().c_str());
+        QVERIFY(typedValue(text.toStdString(), "N").number);
+        QVERIFY(typedNumber(text.toStdString(), "N").number);
     }
 
     void changesHaveNoPlaceWithoutAValue()
