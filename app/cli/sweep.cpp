@@ -290,10 +290,9 @@ int prepare(const SweepOptions& options, Sweep& sweep)
         if (!loaded.scene)
             return loaded.exitCode;
         for (const SweepAxis& axis : sweep.axes)
-            for (const std::string& value : axis.values)
-                if (const auto failure = checkAssignment(*loaded.scene, axis.path + "=" + value))
-                    return fail(WrongUsage, Message("%1: --sweep %2=%3: %4", options.scenes[i],
-                                                    axis.path, value, failure->message));
+            if (const auto failure = checkValues(*loaded.scene, axis.path, axis.values))
+                return fail(WrongUsage,
+                            Message("%1: --sweep %2", options.scenes[i], failure->message));
         const FileNames inputs = inputsOf(*loaded.scene, options.scenes[i], {options.controls});
         if (const int code = refuseTargets({options.output}, inputs); code != Done)
             return code;
@@ -363,7 +362,8 @@ void addSweep(CLI::App& app, Command& chosen)
     command
         ->add_option("--sweep", options->sweeps,
                      "A property and its values: PATH=100,200,400, or PATH=FROM:STEP:TO with both "
-                     "ends, or \"wind.velocity=8,0,0; 6,0,0\"; of several all combinations are "
+                     "ends, or \"wind.velocity=8,0,0; 6,0,0\", where ; separates values that have "
+                     "commas; of several all combinations are "
                      "flown")
         ->type_name("PATH=VALUES")
         ->allow_extra_args(false);

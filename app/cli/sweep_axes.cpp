@@ -4,6 +4,8 @@
 // one changes fastest.
 #include "cli/sweep_axes.h"
 
+#include "study/point_scene.h"
+
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -70,21 +72,52 @@ Result<SweepAxis> sweepAxis(std::string_view text)
         const auto from = numberOf(ends[0]), step = numberOf(ends[1]), to = numberOf(ends[2]);
         if (!from || !step || !to)
             return wrong(text, Message("a range is FROM:STEP:TO, three numbers."));
-        const double steps = std::floor((*to - *from) / *step + 1e-9);
-        if (!(steps >= 0.0 && steps < mostValues))
+        const double exactly = (*to - *from) / *step;
+        if (!(exactly >= 0.0 && exactly < mostValues))
             return wrong(text,
                          Message("the range has no value, or too many; the step must lead from its "
                                  "start to its end."));
+        const double steps = std::rint(exactly);
+        constexpr double rounding = 1e-6; // of a step, as in 0:0.3333333:1
+        if (std::abs(exactly - steps) > rounding) {
+            const double last = *from + std::floor(exactly) * *step;
+            return wrong(text, Message("the steps do not meet the end of the range, which has both "
+                                       "ends: they come to %1 and %2. End it with one of these, or "
+                                       "list the values.",
+                                       textOf(last), textOf(last + *step)));
+        }
         for (int i = 0; i <= int(steps); ++i)
             axis.values.push_back(textOf(*from + i * *step));
         return axis;
     }
-    axis.values = split(values, values.find(';') == std::string_view::npos ? ',' : ';');
+    const bool isOne = values.ends_with(';') && values.find(';') == values.size() - 1; // "8,0,0;"
+    axis.values = isOne ? std::vector{std::string(trimmed(values.substr(0, values.size() - 1)))}
+                        : split(values, values.find(';') == std::string_view::npos ? ',' : ';');
     for (const std::string& value : axis.values)
         if (value.empty())
             return wrong(
                 text, Message("a value is missing; write PATH=100,200,400 or PATH=FROM:STEP:TO."));
     return axis;
+}
+
+std::optional<Failure> checkValues(const Scene& scene, const std::string& path,
+                                   const std::vector<std::string>& values)
+{
+    for (const std::string& value : values) {
+        const auto failure = checkAssignment(scene, path + '=' + value);
+        if (!failure)
+            continue;
+        const Message reason("%1=%2: %3", path, value, failure->message);
+        if (values.size() < 3)
+            return Failure(reason);
+        const std::string vector = values[0] + ',' + values[1] + ',' + values[2];
+        if (checkAssignment(scene, path + '=' + vector))
+            return Failure(reason);
+        return Failure("%1. Values that have commas themselves are separated by ; as in "
+                       "\"%2=8,0,0; 6,0,0\", and one of them is \"%3=%4;\".",
+                       reason, path, path, vector);
+    }
+    return std::nullopt;
 }
 
 std::vector<std::vector<std::string>> combinations(const std::vector<SweepAxis>& axes)

@@ -142,6 +142,20 @@ private slots:
         }
     }
 
+    // One vector, with ; behind it; and steps that are thirds to so many digits.
+    void endsOfAxes()
+    {
+        Folder folder;
+        const auto rowsOf = [&](const QString& sweep) {
+            const Outcome outcome =
+                call({"sweep", folder.file, "--sweep", sweep, "--seconds", "0.01"});
+            return outcome.exitCode == 0 ? cellsOf(outcome.out).size() - 1 : -1;
+        };
+        QCOMPARE(rowsOf("settings.gravity=0,-10,0;"), 1);
+        QCOMPARE(rowsOf("settings.airDensity=0:0.3333333:1"), 4);
+        QCOMPARE(rowsOf("settings.airDensity=1:0.1:1.3"), 4);
+    }
+
     // Whatever a sweep varies can be flown again by --set: a number of a vector, a parameter of a
     // builder, and threads that carry from now on.
     void rowsAreFlownAgain_data()
@@ -270,6 +284,10 @@ private slots:
                                       << "three numbers";
         QTest::newRow("no way there") << "settings.airDensity=1:-1:2"
                                       << "no value";
+        QTest::newRow("an end beside the steps") << "settings.airDensity=4:5:20"
+                                                 << "come to 19 and 24";
+        QTest::newRow("one vector") << "settings.gravity=0,-10,0"
+                                    << "\"settings.gravity=0,-10,0;\"";
         QTest::newRow("no step") << "settings.airDensity=1:0:2"
                                  << "no value";
         QTest::newRow("control tracks") << "controls=still.csv,pulled.csv"
