@@ -7,7 +7,7 @@
 #include "io/csv.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
-#include "study/point_scene.h"
+#include "study/opened_study.h"
 #include "study/polish.h"
 #include "study/study.h"
 #include "terminal/terminal.h"
@@ -190,9 +190,10 @@ int newStudy(const NewOptions& options)
         return fail(BadInput, scene.message());
     for (const StudyVariable& variable : study.variables)
         for (const std::string& path : variable.paths)
-            for (const std::string& value : variable.values)
-                if (const auto failure = checkAssignment(*scene, path + '=' + value))
-                    return fail(WrongUsage, failure->message);
+            if (const auto failure = checkValues(*scene, path, variable.values))
+                return fail(WrongUsage, Message("--vary %1", failure->message));
+    if (const auto opened = openStudy(study, options.file); !opened) // what cannot be flown is not
+        return fail(WrongUsage, opened.message());                   // written either
     if (const auto failure = replaceFile(options.file, text))
         return fail(BadInput, failure->message);
     return Done;

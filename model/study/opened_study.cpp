@@ -126,15 +126,21 @@ Result<OpenedStudy> openStudy(const fs::path& file, const std::optional<fs::path
     auto study = readStudy(file);
     if (!study)
         return study.failure();
-    const fs::path sceneFile = study->folder / study->scene;
+    return openStudy(std::move(*study), file, design);
+}
+
+Result<OpenedStudy> openStudy(Study study, const fs::path& file,
+                              const std::optional<fs::path>& design)
+{
+    const fs::path sceneFile = study.folder / study.scene;
     auto scene = readScene(design ? *design : sceneFile);
     if (!scene)
         return scene.failure();
     scene->folder.path = sceneFile.parent_path(); // where the files are that it names
-    auto points = StudyPoints::of(*study);
+    auto points = StudyPoints::of(study);
     if (!points)
         return Failure("%1: %2", file.string(), points.message());
-    OpenedStudy opened{std::move(*study),
+    OpenedStudy opened{std::move(study),
                        std::move(*scene),
                        {},
                        std::move(*points),

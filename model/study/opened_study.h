@@ -64,6 +64,11 @@ struct OpenedStudy
 Result<OpenedStudy> openStudy(const std::filesystem::path& file,
                               const std::optional<std::filesystem::path>& design = std::nullopt);
 
+// Likewise one that is in no file yet.
+//   file  that it is to be in, which messages name
+Result<OpenedStudy> openStudy(Study study, const std::filesystem::path& file,
+                              const std::optional<std::filesystem::path>& design = std::nullopt);
+
 // The scene of a point. Fails when a value cannot be set.
 Result<Scene> sceneOf(const OpenedStudy& opened, std::size_t point);
 

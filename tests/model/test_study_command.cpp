@@ -278,6 +278,15 @@ private slots:
         says({"study", "new", folder.file("t.ripstop-study.json"), "--scene", scene("pendulum"),
               "--vary", "settings.airDensty=1,2"},
              "airDensity");
+        const QStringList begun{
+            "study",  "new",     folder.file("t.ripstop-study.json"), "--scene", scene("pendulum"),
+            "--plan", "optimise"};
+        for (const char* goal : {"--minimise", "--maximise"})
+            says(begun + QStringList{"--vary", "settings.airDensity=1..2", goal, "line tensin max"},
+                 "measures the probe line tensin");
+        says({"study", "new", folder.file("t.ripstop-study.json"), "--scene", scene("pendulum"),
+              "--vary", "settings.gravity=0,-10,0"},
+             "separated by ;");
         QVERIFY(!QFile::exists(folder.file("t.ripstop-study.json")));
         QFile file(folder.study());
         const auto textNow = [&] { return file.open(QIODevice::ReadOnly) ? file.readAll() : ""; };
