@@ -1,8 +1,9 @@
 // Reads OBJ line by line: a backslash joins lines, a keyword chooses what to add, and what is not
 // known is passed over. Points and texture points are kept as they come; faces and lines keep
 // indices only, because those may point forward, and checkFaces() and checkLines() look at all of
-// them in the end. The first
-// flaw ends the reading with its line. Colours and pictures of materials come from a second file,
+// them in the end. Which
+// groups there are is known then as well. The first flaw ends the reading with its line and what to
+// do about it. Colours and pictures of materials come from a second file,
 // by name.
 #include "shapes/obj_file.h"
 
@@ -62,7 +63,9 @@ public:
             if (m_line % linesBetweenReports == 0
                 && !goesOn(progress, 1.0 - double(text.size()) / size))
                 return Failure{"The import was cancelled."};
+            const bool hasEnd = text.find('\n') != std::string_view::npos;
             std::string_view line = takeLine(text, m_line, joined);
+            m_isCutOff = text.empty() && !hasEnd;
             readLine(takeWord(line), line);
             if (m_failure)
                 return *m_failure;
@@ -72,6 +75,7 @@ public:
         if (m_failure)
             return *m_failure;
         leaveOutLines();
+        divideByGroups();
         if (!m_hasTexture)
             m_mesh.texture.clear();
         return std::move(m_mesh);
@@ -91,7 +95,7 @@ private:
         else if (keyword == "p")
             ++m_mesh.strayElements;
         else if (keyword == "o" || keyword == "g")
-            startObject(keyword == "o", rest(line));
+            startGroup(keyword == "o", rest(line));
         else if (keyword == "usemtl")
             useMaterial(rest(line));
         else if (keyword == "mtllib")
@@ -102,8 +106,8 @@ private:
     {
         Vec3 point;
         for (int axis = 0; axis < 3; ++axis)
-            if (!readNumber(takeWord(line), point[axis]))
-                return refuse(Message("a vertex needs three numbers"));
+            if (const std::string_view word = takeWord(line); !readNumber(word, point[axis]))
+                return refuseNumber(word, Message("a vertex needs three numbers"));
         if (!point.allFinite())
             return refuse(Message("a vertex is not finite"));
         m_mesh.points.push_back(point);
@@ -112,11 +116,12 @@ private:
     void addTexture(std::string_view line)
     {
         PolygonMesh::TexturePoint point{};
-        const bool hasU = readNumber(takeWord(line), point[0]);
-        const std::string_view second = takeWord(line); // may be absent
+        const std::string_view first = takeWord(line), second = takeWord(line); // may be absent
+        const bool hasU = readNumber(first, point[0]);
         if (!hasU || (!second.empty() && !readNumber(second, point[1])) || !std::isfinite(point[0])
             || !std::isfinite(point[1]))
-            return refuse(Message("a texture point needs two finite numbers"));
+            return refuseNumber(hasU ? second : first,
+                                Message("a texture point needs two finite numbers"));
         m_texture.push_back(point);
     }
 
@@ -140,11 +145,14 @@ private:
             m_textureAt.push_back(at > 0 ? at - 1 : at < 0 ? int(m_texture.size()) + at : -1);
         }
         if (m_mesh.corners.size() - before < 3)
-            return refuse(Message("a face needs three corners"));
+            return refuseFace();
         if (m_objects.empty())
             startObject(false, {});
         if (m_mesh.materials.empty())
             useMaterial({});
+        if (m_group < 0)
+            m_group = placeOf(m_groupName, m_groups, m_groupNames);
+        m_groupOf.push_back(m_group);
         m_mesh.endFace(m_object, m_material);
         m_faceLine.push_back(m_line);
     }
@@ -178,16 +186,42 @@ private:
             ++m_mesh.strayElements;
     }
 
-    // A file with objects has groups inside of them, which are left alone.
+    using Places = std::map<std::string, int, std::less<>>;
+
+    // The place of a name in the list, to whose end it comes where it is new.
+    static int placeOf(const std::string& name, Places& places, std::vector<std::string>& list)
+    {
+        const auto [place, isNew] = places.emplace(name, int(list.size()));
+        if (isNew)
+            list.push_back(name);
+        return place->second;
+    }
+
+    // Faces of an object before its first group are in one of the object's name, which is listed
+    // when there is a face of it.
+    void startGroup(bool isObject, const std::string& name)
+    {
+        m_groupName = name;
+        m_group = -1;
+        startObject(isObject, name);
+    }
+
+    // A file with objects has groups inside of them, which divide the only one (divideByGroups).
     void startObject(bool isObject, const std::string& name)
     {
         if (m_hasObjects && !isObject)
             return;
         m_hasObjects = m_hasObjects || isObject;
-        const auto [place, isNew] = m_objects.emplace(name, int(m_mesh.objects.size()));
-        if (isNew)
-            m_mesh.objects.push_back(name);
-        m_object = place->second;
+        m_object = placeOf(name, m_objects, m_mesh.objects);
+    }
+
+    // An object that is all of the file says nothing that its groups do not say better.
+    void divideByGroups()
+    {
+        if (m_mesh.objects.size() != 1 || m_groupNames.size() < 2)
+            return;
+        m_mesh.objects = std::move(m_groupNames);
+        m_mesh.object = std::move(m_groupOf);
     }
 
     void useMaterial(const std::string& name)
@@ -208,7 +242,8 @@ private:
                 const int corner = m_mesh.corners[std::size_t(c)];
                 if (corner < 0 || corner >= points) {
                     m_line = m_faceLine[i];
-                    return refuse(Message("a face names vertex %1 of %2", corner + 1, points));
+                    return refuseVertex(
+                        Message("a face names vertex %1 of %2", corner + 1, points));
                 }
                 const int at = m_textureAt[std::size_t(c)];
                 if (at < 0 || at >= int(m_texture.size()))
@@ -225,7 +260,7 @@ private:
             for (const int end : m_mesh.lines[i])
                 if (end < 0 || end >= points) {
                     m_line = m_lineLine[i];
-                    return refuse(Message("a line names vertex %1 of %2", end + 1, points));
+                    return refuseVertex(Message("a line names vertex %1 of %2", end + 1, points));
                 }
     }
 
@@ -250,10 +285,42 @@ private:
         refuse(Message("\"%1\" is not a corner of a face", word));
     }
 
+    // Of a word that is no number. Programs that follow the language of the system may write
+    // commas.
+    void refuseNumber(std::string_view word, const Message& what)
+    {
+        if (word.find(',') == std::string_view::npos)
+            return refuse(what);
+        refuse(Message("\"%1\" is a number with a decimal comma", word),
+               Message("An OBJ has decimal points; save it again with those, or replace the "
+                       "commas."));
+    }
+
+    void refuseFace()
+    {
+        const Message what("a face needs three corners");
+        if (m_isCutOff)
+            return refuse(what);
+        refuse(what,
+               Message("Delete it in the file, or write it as a line (l); a program for meshes "
+                       "finds faces without area, too."));
+    }
+
+    void refuseVertex(const Message& what)
+    {
+        refuse(what, Message("Vertices count from 1, over all objects of the file; save it again "
+                             "from where it was made, with all vertices."));
+    }
+
     void refuse(const Message& what)
     {
         m_failure = Failure("The mesh %1, line %2: %3. The file may be cut off; save it again.",
                             m_name, m_line, what);
+    }
+
+    void refuse(const Message& what, const Message& remedy)
+    {
+        m_failure = Failure("The mesh %1, line %2: %3. %4", m_name, m_line, what, remedy);
     }
 
     const std::string& m_name;
@@ -262,12 +329,18 @@ private:
     std::vector<int> m_textureAt; // [corners] index into m_texture, or -1
     std::vector<int> m_faceLine;  // [faces]
     std::vector<int> m_lineLine;  // [lines]
-    std::map<std::string, int, std::less<>> m_objects;
-    std::map<std::string, int, std::less<>> m_materials;
+    Places m_objects;
+    Places m_materials;
+    Places m_groups;
+    std::vector<std::string> m_groupNames; // [groups]
+    std::vector<int> m_groupOf;            // [faces] index into m_groupNames
+    std::string m_groupName;
     std::optional<Failure> m_failure;
     int m_object = 0;
     int m_material = 0;
+    int m_group = -1; // of m_groupName, once it has a face
     int m_line = 0;
+    bool m_isCutOff = false;   // the line is the last, and has no end
     bool m_hasObjects = false; // "o" stands in the file
     bool m_hasTexture = false;
 };

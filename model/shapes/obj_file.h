@@ -13,9 +13,10 @@
 namespace ripstop {
 
 // Vertices (v, vt), faces (f, with negative indices too), lines (l), objects (o, or g where there
-// is no o) and names of materials (usemtl) and of the files that say their colours (mtllib).
-// Normals, curves and smoothing groups are passed over. Points (p), and lines all of which run
-// along faces, are counted as left out. `name` is what messages call the file; they say the line.
+// is no o, or one o whose faces are in several) and names of materials (usemtl) and of the files
+// that say their colours (mtllib). Normals, curves and smoothing groups are passed over. Points
+// (p), and lines all of which run along faces, are counted as left out. `name` is what messages
+// call the file; they say the line.
 Result<PolygonMesh> readObj(std::string_view text, const std::string& name,
                             const Progress& progress = {});
 

@@ -6122,6 +6122,31 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>un sommet demande trois nombres</translation>
     </message>
     <message>
+        <location filename="obj_file.cpp"/>
+        <source>"%1" is a number with a decimal comma</source>
+        <translation>« %1 » est un nombre à virgule décimale</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>An OBJ has decimal points; save it again with those, or replace the commas.</source>
+        <translation>Un OBJ a des points décimaux ; enregistrez-le de nouveau avec ceux-ci, ou remplacez les virgules.</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>Delete it in the file, or write it as a line (l); a program for meshes finds faces without area, too.</source>
+        <translation>Supprimez-la dans le fichier, ou écrivez-la comme une ligne (l) ; un programme de maillages trouve aussi les faces sans aire.</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>Vertices count from 1, over all objects of the file; save it again from where it was made, with all vertices.</source>
+        <translation>Les sommets comptent à partir de 1, sur tous les objets du fichier ; enregistrez-le de nouveau depuis son programme d’origine, avec tous les sommets.</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>The mesh %1, line %2: %3. %4</source>
+        <translation>Le maillage %1, ligne %2 : %3. %4</translation>
+    </message>
+    <message>
         <location filename="off_file.cpp"/>
         <source>The mesh %1, line %2: %3. The file may be cut off; save it again.</source>
         <translation>Le maillage %1, ligne %2 : %3. Le fichier est peut-être tronqué ; l’enregistrer de nouveau.</translation>

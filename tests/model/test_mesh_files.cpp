@@ -236,10 +236,10 @@ private slots:
             << "cut.obj" << QByteArray("v 0 0 0\nv 1 0") << "line 2: a vertex needs three numbers";
         QTest::newRow("cut off before its vertices")
             << "short.obj" << QByteArray("v 0 0 0\nv 1 0 0\nf 1 2 3\n")
-            << "line 3: a face names vertex 3 of 2";
+            << "line 3: a face names vertex 3 of 2. Vertices count from 1";
         QTest::newRow("cut off in a face")
             << "face.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2")
-            << "line 4: a face needs three corners";
+            << "line 4: a face needs three corners. The file may be cut off";
         QTest::newRow("not a number")
             << "nan.obj" << QByteArray("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n") << "line 2";
         QTest::newRow("infinite") << "inf.obj" << QByteArray("v 0 0 0\nv inf 0 0\nf 1 2 1\n")

@@ -312,6 +312,66 @@ private slots:
         QVERIFY(problemsOf(many).empty());
     }
 
+    // Groups of a file without objects, or with one, are what objects are; where there are several,
+    // each stays whole, and so does one that has a single group.
+    void groupsOfTheOnlyObject_data()
+    {
+        QTest::addColumn<QByteArray>("before");
+        QTest::addColumn<QByteArray>("between");
+        QTest::addColumn<QStringList>("objects");
+        QTest::newRow("no object")
+            << QByteArray("g left\n") << QByteArray("g right\n") << QStringList{"left", "right"};
+        QTest::newRow("one object") << QByteArray("o A\ng left\n") << QByteArray("g right\n")
+                                    << QStringList{"left", "right"};
+        QTest::newRow("one group")
+            << QByteArray("o A\ng left\n") << QByteArray() << QStringList{"A"};
+        QTest::newRow("a group later")
+            << QByteArray("o A\n") << QByteArray("g right\n") << QStringList{"A", "right"};
+        QTest::newRow("two objects")
+            << QByteArray("o A\ng left\n") << QByteArray("o B\ng right\n") << QStringList{"A", "B"};
+    }
+    void groupsOfTheOnlyObject()
+    {
+        QFETCH(QByteArray, before);
+        QFETCH(QByteArray, between);
+        QFETCH(QStringList, objects);
+        const QByteArray text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n" + before
+                                + "f 1 2 3 4\n" + between + "f 2 5 6 3\n";
+        const PolygonMesh mesh = meshOf(text.constData());
+        QStringList read;
+        for (const std::string& name : mesh.objects)
+            read << QString::fromStdString(name);
+        QCOMPARE(read, objects);
+        QCOMPARE(mesh.object, (std::vector<int>{0, int(objects.size()) - 1}));
+    }
+
+    // What is wrong in an OBJ is named with its own remedy.
+    void flawsHaveRemedies_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char* name, const char* text, const char* says) {
+            QTest::newRow(name) << QByteArray(text) << QString(says);
+        };
+        row("decimal commas", "v 0,0 0,0 0,0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n",
+            "line 1: \"0,0\" is a number with a decimal comma. An OBJ has decimal points");
+        row("of texture", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0,5\nf 1 2 3\n",
+            "line 4: \"0,5\" is a number with a decimal comma");
+        row("a face of two corners", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n",
+            "line 4: a face needs three corners. Delete it");
+        row("a vertex too high", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n",
+            "line 4: a face names vertex 9 of 3. Vertices count from 1");
+    }
+    void flawsHaveRemedies()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, says);
+        const auto refused = readPolygonFile(write("flaw.obj", text).toStdString());
+        QVERIFY(!refused);
+        const QString message = QString::fromStdString(refused.message().english());
+        QVERIFY2(message.contains(says) && !message.contains("cut off"), qPrintable(message));
+    }
+
     // An object whose faces have no area is left out and named, and the others come in; where all
     // are so, the mesh is refused.
     void objectsWithoutAreaAreLeftOut()
