@@ -21,11 +21,17 @@ namespace {
 constexpr int version = 1; // of the format that is written, and the newest that is read
 constexpr std::string_view formatName = "ripstop-scene";
 
+// Without the mark that some editors put before UTF-8, which no JSON has.
+std::string_view withoutMark(std::string_view text)
+{
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.substr(text.starts_with(mark) ? mark.size() : 0);
+}
+
 // Why a text that begins like this is no scene, as the rest of a sentence.
 std::optional<Message> wrongStart(std::string_view start)
 {
-    if (start.starts_with("\xef\xbb\xbf")) // the mark that some editors put before UTF-8
-        start.remove_prefix(3);
+    start = withoutMark(start);
     const auto first = start.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || start[first] == '{')
         return std::nullopt;
@@ -110,6 +116,7 @@ std::optional<Failure> unwritable(const Scene& scene, const std::filesystem::pat
 
 Result<Scene> parseScene(std::string_view text, std::string_view fileName)
 {
+    text = withoutMark(text);
     if (const auto reason = wrongStart(text))
         return Failure("%1, line 1: the file %2.", fileName, *reason);
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
