@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace ripstop {
 namespace {
@@ -28,6 +29,43 @@ const T* find(const std::vector<std::pair<std::uint32_t, T>>& rows, std::uint32_
     const auto row = std::ranges::lower_bound(rows, id, {}, &std::pair<std::uint32_t, T>::first);
     return row != rows.end() && row->first == id ? &row->second : nullptr;
 }
+
+// Finds the springs that bend a woven fabric: over two of its threads in a row, and as long as
+// both. Other programs would take them for lines that lie on it.
+class TwoThreads
+{
+public:
+    explicit TwoThreads(const Part& part)
+    {
+        for (const Link& link : part.links)
+            if (link.role == LinkRole::Thread) {
+                m_threads.push_back({link.from, link.to, link.restLength});
+                m_threads.push_back({link.to, link.from, link.restLength});
+            }
+        std::ranges::sort(m_threads, {}, &Thread::from);
+    }
+
+    bool lieUnder(const Link& link) const
+    {
+        constexpr double rounding = 1e-6; // of the length
+        for (const Thread& one : std::ranges::equal_range(m_threads, link.from, {}, &Thread::from))
+            for (const Thread& other :
+                 std::ranges::equal_range(m_threads, link.to, {}, &Thread::from))
+                if (one.to == other.to
+                    && std::abs(one.length + other.length - link.restLength)
+                           <= rounding * link.restLength)
+                    return true;
+        return false;
+    }
+
+private:
+    struct Thread
+    {
+        Id from, to;
+        double length; // m
+    };
+    std::vector<Thread> m_threads; // both ways, by `from`
+};
 
 } // namespace
 
@@ -63,17 +101,22 @@ MeshAppearance::MeshAppearance(const Scene& scene)
         };
         for (const Panel& row : part.panels)
             takeFabric(row);
+        const TwoThreads twoThreads(part);
+        const auto isThin = [&](const Link& row) { // a batten is thick
+            const std::size_t* material = find(materials, std::uint32_t(row.material));
+            return !material || m_fabrics[*material].thickness == 0.0;
+        };
         for (const Link& row : part.links)
-            if (row.role == LinkRole::Line)
-                takeFabric(row);
+            if (row.role != LinkRole::Line || (isThin(row) && twoThreads.lieUnder(row)))
+                m_ofFabric.push_back(std::uint32_t(row.id));
             else
-                m_threads.push_back(std::uint32_t(row.id));
+                takeFabric(row);
     });
     if (!isTextured)
         m_texture.clear();
     std::ranges::sort(m_texture, {}, &std::pair<std::uint32_t, TexturePoint>::first);
     std::ranges::sort(m_fabricOf);
-    std::ranges::sort(m_threads);
+    std::ranges::sort(m_ofFabric);
 }
 
 MeshAppearance::TexturePoint MeshAppearance::textureOf(std::uint32_t particle) const
@@ -97,7 +140,7 @@ std::size_t MeshAppearance::fabricOf(std::uint32_t element) const
 
 bool MeshAppearance::isLine(std::uint32_t link) const
 {
-    return !std::ranges::binary_search(m_threads, link);
+    return !std::ranges::binary_search(m_ofFabric, link);
 }
 
 bool MeshAppearance::isRound(std::uint32_t link) const

@@ -39,7 +39,8 @@ public:
     const std::vector<Fabric>& fabrics() const { return m_fabrics; }
     std::size_t fabricOf(std::uint32_t element) const; // panel or link, by id; index into fabrics()
 
-    // Whether a link is one by itself, a line or a spar, and no thread of the fabric. By id.
+    // Whether a link is one by itself, a line or a spar, and none of the fabric: no thread, and no
+    // spring that bends a woven one. By id.
     bool isLine(std::uint32_t link) const;
     bool isRound(std::uint32_t link) const; // such a link, of a thickness
 
@@ -50,7 +51,7 @@ private:
     std::string m_name = "fabric";
     Rows<TexturePoint> m_texture;
     Rows<std::size_t> m_fabricOf;
-    std::vector<std::uint32_t> m_threads;         // ids, ascending
+    std::vector<std::uint32_t> m_ofFabric;        // ids, ascending
     std::vector<Rows<TexturePoint>> m_prints{{}}; // [fabrics]
     std::vector<Fabric> m_fabrics{{"fabric", {0.8, 0.8, 0.8}}};
 };

@@ -118,6 +118,31 @@ private slots:
         QVERIFY(!mesh.lines.empty()); // bridle and line
     }
 
+    // A woven sheet with springs over two cells, which bend it, comes back as fabric without lines,
+    // whatever the format.
+    void sheetsComeBackWithoutLines_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::newRow("VTP") << "vtp";
+        QTest::newRow("OBJ") << "obj";
+        QTest::newRow("glTF") << "glb";
+    }
+    void sheetsComeBackWithoutLines()
+    {
+        QFETCH(QString, ending);
+        const QString sheet = write("sheet.ripstop.json", "");
+        const QString mesh = write("sheet." + ending, "");
+        QCOMPARE(call({"build", "cloth", "cloth=ideal", "columns=10", "rows=10", "sphere=0", "-o",
+                       sheet})
+                     .exitCode,
+                 0);
+        QCOMPARE(call({"export", sheet, "-o", mesh}).exitCode, 0);
+        const Outcome outcome = call({"import", mesh, "-o", sheet, "--json"});
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
+        const QJsonObject read = outcome.json()["meshes"].toArray().first().toObject();
+        QCOMPARE(read["lines"].toObject()["count"].toInt(), 0);
+    }
+
     void badFilesEndInASentence_data()
     {
         QTest::addColumn<QByteArray>("content");
