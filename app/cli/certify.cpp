@@ -28,6 +28,7 @@ struct CertifyOptions
     std::string controls;
     std::string csv;
     std::string record;
+    int threads = 1;
     int digits = 0; // fewer end in Inaccurate
     bool json = false;
 };
@@ -58,7 +59,7 @@ int certify(const CertifyOptions& options)
             progress.show(share);
             return !interrupted();
         };
-        return ripstop::certify(*loaded.scene, options.seconds, newPilot, goesOn);
+        return ripstop::certify(*loaded.scene, options.seconds, newPilot, goesOn, options.threads);
     }();
     if (interrupted())
         return fail(Interrupted, "Interrupted; nothing is certified.");
@@ -111,6 +112,12 @@ void addCertify(CLI::App& app, Command& chosen)
                      "Record the run as it is, with its certificate (*.ripstop-run): tables and "
                      "figures that are exported from it have the errors")
         ->type_name("FILE");
+    command
+        ->add_option("--threads", options->threads,
+                     "Threads of each of the two runs that are flown at a time; what is found is "
+                     "the same for all")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
     command->add_option("--digits", options->digits, "End with code 5 where fewer digits hold")
         ->check(CLI::Range(0, 15))
         ->type_name("N");

@@ -273,6 +273,7 @@ public:
         if (!recording)
             return {Failure{"Nothing was flown: a bundle needs one time step at least."}};
         recorder.finish();
+        recording->setName(fs::path(bundled::recording).stem().string()); // as run --record does
         return write(*own, *recording, Manifest::From::Scene);
     }
 

@@ -36,7 +36,8 @@ Scene refined(Scene scene, int times)
 }
 
 // Flies a run of which each substep is cut in so many; `goesOn` is asked at every step.
-Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Progress& goesOn)
+Flight fly(const Scene& scene, double seconds, int times, int threads, Pilot pilot,
+           const Progress& goesOn)
 {
     Flight flight;
     const auto system = compile(refined(scene, times));
@@ -44,7 +45,7 @@ Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Pro
         flight.failure = system.failure();
         return flight;
     }
-    Simulation simulation(*system);
+    Simulation simulation(*system, threads);
     simulation.refine(times);
     Recorder recorder;
     if (times == 1) // otherwise it has no design, and records nothing
@@ -126,7 +127,8 @@ CertifiedProbe judged(const std::array<Flight, 3>& flights, std::size_t i)
 } // namespace
 
 Result<Certification> certify(const Scene& scene, double seconds,
-                              const std::function<Pilot()>& newPilot, const Progress& progress)
+                              const std::function<Pilot()>& newPilot, const Progress& progress,
+                              int threads)
 {
     if (!(seconds >= scene.settings.timeStep))
         return Failure("nothing is certified in less than a time step, %1 s; certify a longer time",
@@ -139,12 +141,12 @@ Result<Certification> certify(const Scene& scene, double seconds,
         const Progress goesOnBeside = [&](double) { return !ends; };
         for (const int i : {1, 0}) {
             flights[std::size_t(i)] =
-                fly(scene, seconds, 1 << i, pilots[std::size_t(i)], goesOnBeside);
+                fly(scene, seconds, 1 << i, threads, pilots[std::size_t(i)], goesOnBeside);
             ends = ends || hasFailed(flights[std::size_t(i)]);
         }
     });
     bool isWanted = true;
-    flights[2] = fly(scene, seconds, 4, pilots[2], [&](double share) {
+    flights[2] = fly(scene, seconds, 4, threads, pilots[2], [&](double share) {
         isWanted = goesOn(progress, share);
         return isWanted && !ends;
     });

@@ -1,5 +1,5 @@
-// Finds the certificate of a scene by flying it three times (recording/certificate.h), on two
-// threads.
+// Finds the certificate of a scene by flying it three times (recording/certificate.h), two
+// runs at a time.
 #pragma once
 
 #include "base/progress.h"
@@ -26,9 +26,11 @@ struct Certification
 };
 
 // Fails with a sentence where the scene does not compile, has no probes, or when `progress` says
-// so. It takes two threads.
+// so. Two runs are flown at a time.
+//   threads   of each run, which change nothing of what is found
 //   newPilot  called once for each run; empty where nobody flies
 Result<Certification> certify(const Scene& scene, double seconds,
-                              const std::function<Pilot()>& newPilot, const Progress& progress);
+                              const std::function<Pilot()>& newPilot, const Progress& progress,
+                              int threads = 1);
 
 } // namespace ripstop

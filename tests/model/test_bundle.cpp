@@ -87,7 +87,7 @@ private slots:
             QJsonDocument::fromJson(contentOf(bundle.filePath("manifest.json"))).object();
         const QString readme = contentOf(bundle.filePath("README.md"));
         QMap<QString, QByteArray> before;
-        for (const char* name : {"probes.csv", "curves.svg"}) {
+        for (const char* name : {"probes.csv", "curves.svg", "run.ripstop-run"}) {
             before[name] = contentOf(bundle.filePath(name));
             QVERIFY(bundle.remove(name));
         }

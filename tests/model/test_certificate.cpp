@@ -279,6 +279,9 @@ private slots:
         QVERIFY(!probes.isEmpty());
         QVERIFY(probes[0].toObject()["digits"].toInt() > 1);
         QVERIFY(QFile::exists(csv));
+        const Outcome threads =
+            call({"certify", pendulum, "--seconds", "1", "--json", "--threads", "2"});
+        QCOMPARE(threads.out, outcome.out);
         QCOMPARE(call({"certify", pendulum, "--seconds", "1", "--digits", "9"}).exitCode, 5);
         const Outcome wild =
             call({"certify", pendulum, "--seconds", "1", "--set", "settings.speedLimit=0.01"});
