@@ -45,7 +45,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I.", "Fabric", {}, {}, isZero("cloth")},
     {"hoop_mass",     "kg",     0.1,    0.01, 50, false, "Mass of the two particles that hold the canopy open.", {}, {}, {}, isZero("pressure")},
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
-    {"altitude",      "m",      100,    1, 5000,  false, "Height of the payload at the start.", "Start"},
+    {"altitude",      "m",      100,    1, 5000,  false, "Height of the payload at the start; the density of the air does not follow it, settings.airDensity sets it: 0.736 kg/m^3 at 5000 m in the standard atmosphere.", "Start"},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
     {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient: the air fills the canopy and holds it open, without a frame, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy"},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},

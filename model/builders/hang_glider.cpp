@@ -63,7 +63,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"lift_slope",  "1/rad", 4.0,   0.1, 8,     false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a taut delta of aspect ratio A, 3.1 fits the first, slack Rogallo wings.", "Air"},
     {"vortex",      "",      0,     0, 1,     true,  "1 flies with the vortex law, which finds lift slope and induced drag from the shape of the wing; 0 with the plate law and the lift slope above."},
     {"drag",        "",      0.06,  0, 0.5,   false, "Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin friction."},
-    {"altitude",    "m",     100,   5, 3000,  false, "Height of the nose at the start.", "Start"},
+    {"altitude",    "m",     100,   5, 3000,  false, "Height of the nose at the start; the density of the air does not follow it, settings.airDensity sets it: 0.909 kg/m^3 at 3000 m in the standard atmosphere.", "Start"},
     {"shift",       "m",     0.4,   0.01, 1,     false, "How far the pilot can shift either way."},
 });
 // clang-format on

@@ -58,7 +58,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"hoop_mass",     "kg",     0.4,    0.01, 50, false, "Mass of the hoop.", {}, {}, {}, isNotZero("hoop")},
     {"equal_masses",  "",       0,      0, 1,     true,  "1 gives all particles but the payload the same mass, as the paper on kites did; 0 weighs cloth, lines and hoop where they are."},
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
-    {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start.", "Start"},
+    {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start; the density of the air does not follow it, settings.airDensity sets it: 0.736 kg/m^3 at 5000 m in the standard atmosphere.", "Start"},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
     {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy", {}, 1.68},
     {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts in the shape of a full canopy. The wind brings the pressure.", {}, {}, {}, isNotZero("pressure")},

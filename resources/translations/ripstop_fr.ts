@@ -12888,13 +12888,13 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Height of the nose at the start.</source>
-        <translation>Hauteur du nez au départ.</translation>
+        <source>Height of the nose at the start; the density of the air does not follow it, settings.airDensity sets it: 0.909 kg/m^3 at 3000 m in the standard atmosphere.</source>
+        <translation>Hauteur du nez au départ ; la masse volumique de l’air ne la suit pas, settings.airDensity la fixe : 0,909 kg/m^3 à 3000 m dans l’atmosphère normalisée.</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>Height of the payload at the start.</source>
-        <translation>Hauteur de la charge au départ.</translation>
+        <source>Height of the payload at the start; the density of the air does not follow it, settings.airDensity sets it: 0.736 kg/m^3 at 5000 m in the standard atmosphere.</source>
+        <translation>Hauteur de la charge au départ ; la masse volumique de l’air ne la suit pas, settings.airDensity la fixe : 0,736 kg/m^3 à 5000 m dans l’atmosphère normalisée.</translation>
     </message>
     <message>
         <location filename="tables"/>

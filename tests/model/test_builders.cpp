@@ -341,6 +341,28 @@ private slots:
 
     // A vent of the diameter d takes its disc off the cloth. Cloth ends at its rim, which lies flat
     // at d / 2 from where the lines over it cross; these go on where the seams of the gores end.
+    // Who starts high up is told that the air there is that of everywhere, and what it would be:
+    // rho = 1.225 (1 - 0.0065 h / 288.15)^4.2559 in the troposphere of the standard atmosphere (ISO
+    // 2533).
+    void altitudeSaysNothingOfTheAir()
+    {
+        int count = 0;
+        for (const Builder& builder : allBuilders()) {
+            const auto altitude =
+                std::ranges::find(builder.parameters, "altitude", &Parameter::key);
+            if (altitude == builder.parameters.end())
+                continue;
+            ++count;
+            const double density = 1.225 * std::pow(1.0 - 0.0065 * altitude->high / 288.15, 4.2559);
+            const QString help = QString::fromUtf8(altitude->help.data(), altitude->help.size());
+            QVERIFY2(help.contains("settings.airDensity"), qPrintable(help));
+            QVERIFY2(help.contains(
+                         QString("%1 kg/m^3 at %2 m").arg(density, 0, 'f', 3).arg(altitude->high)),
+                     qPrintable(help));
+        }
+        QCOMPARE(count, 3); // two parachutes and a glider
+    }
+
     void ventOfAParachute_data()
     {
         QTest::addColumn<double>("cloth");
