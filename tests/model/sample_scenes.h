@@ -13,6 +13,8 @@
 #include <QString>
 #include <QtGlobal>
 
+#include <map>
+
 namespace ripstop {
 
 inline Scene sample(const QString& name)
@@ -31,6 +33,26 @@ inline Simulation started(const QString& name)
         qFatal("%s", system.message().english().c_str());
     return Simulation(*system);
 }
+
+// Flights that the tests of a file share: each sample is started once and goes on from where the
+// last test has left it. So who looks at early moments stands before who looks at late ones.
+class SharedFlights
+{
+public:
+    //   latest  s, no later than which the flight must be; 0 for who looks at its start
+    Simulation& of(const QString& name, double latest)
+    {
+        auto found = m_flights.find(name);
+        if (found == m_flights.end())
+            found = m_flights.emplace(name, started(name)).first;
+        if (found->second.state().time > latest + 0.5 * found->second.system().timeStep)
+            qFatal("%s has flown on", qPrintable(name));
+        return found->second;
+    }
+
+private:
+    std::map<QString, Simulation> m_flights;
+};
 
 inline double probe(const Simulation& simulation, std::string_view name)
 {

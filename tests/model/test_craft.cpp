@@ -1,8 +1,8 @@
 // The craft among the sample scenes fly as statics, measurement and the pilot say.
 //
-// Stages: the kite (its climb, the pull by statics, gusts), the gliders (glide ratio with and
-// without induced flow, weight shift), and the parachute's rate of descent. The numbers come from
-// the sources that stand above each test.
+// Stages: the kite (its climb, where it stands, the pull by statics, gusts), the gliders (glide
+// ratio with and without induced flow, weight shift), and the parachute's rate of descent. The
+// numbers come from the sources that stand above each test.
 #include "model/sample_scenes.h"
 #include "registered_test.h"
 
@@ -29,7 +29,7 @@ private slots:
     // It starts at 35 degrees, climbs, and stays above 60 % of its line at 45 to 80 degrees.
     void kiteClimbsAndHolds()
     {
-        Simulation simulation = started("delta_kite");
+        Simulation& simulation = m_flights.of("delta_kite", 0.0);
         QVERIFY(probe(simulation, "line angle") < 36.0);
         const double length = partOf(sample("delta_kite")).parameters.at("line_length");
         const double hand = partOf(sample("delta_kite")).parameters.at("hand_height");
@@ -48,6 +48,34 @@ private slots:
         QVERIFY(highest - lowest < 2.0);
     }
 
+    // Where a kite stands does not ask how it is computed.
+    void kiteStandsByAnyIntegrator_data()
+    {
+        QTest::addColumn<QString>("kite");
+        QTest::addColumn<QString>("integrator");
+        for (const QString kite : {"delta_kite", "ripstop_kite"})
+            for (const QString integrator : {"semi_implicit_euler", "implicit_euler", "bdf2"})
+                QTest::addRow("%s %s", qPrintable(kite), qPrintable(integrator))
+                    << kite << integrator;
+    }
+    void kiteStandsByAnyIntegrator()
+    {
+        QFETCH(QString, kite);
+        QFETCH(QString, integrator);
+        Scene scene = sample(kite);
+        const auto found = std::ranges::find(choiceNames<Integrator>, integrator.toStdString());
+        scene.settings.integrator = Integrator(found - choiceNames<Integrator>.begin());
+        const auto system = compile(scene);
+        QVERIFY(system);
+        Simulation named(*system);
+        Simulation& byDefault = m_flights.of(kite, 20.0);
+        QVERIFY(named.runUntil(20.0) && byDefault.runUntil(20.0));
+        const double angle = probe(named, "line angle"), pull = probe(named, "line tension");
+        qInfo("%.2f degrees, %.2f N", angle, pull);
+        QVERIFY(std::abs(angle - probe(byDefault, "line angle")) < 0.3);
+        QVERIFY(std::abs(pull / probe(byDefault, "line tension") - 1.0) < 0.01);
+    }
+
     // T-F1: tan(beta) = (L - W) / D and T = sqrt((L - W)^2 + D^2) of the line where it is tied to
     // the steady kite; lift and drag are summed up over the panels.
     void kitePullsAsStaticsSay_data()
@@ -61,7 +89,7 @@ private slots:
     {
         QFETCH(QString, kite);
         const Scene scene = sample(kite);
-        Simulation simulation = started(kite);
+        Simulation& simulation = m_flights.of(kite, 20.0);
         QVERIFY(simulation.runUntil(20.0));
         const Part& part = partOf(scene);
         const auto isLine = [&](const Link& link) {
@@ -101,34 +129,6 @@ private slots:
               std::hypot(up, force.x()));
         QVERIFY(std::abs(line - beta) < 0.01);
         QVERIFY(std::abs(pull.norm() / std::hypot(up, force.x()) - 1.0) < 0.02);
-    }
-
-    // Where a kite stands does not ask how it is computed.
-    void kiteStandsByAnyIntegrator_data()
-    {
-        QTest::addColumn<QString>("kite");
-        QTest::addColumn<QString>("integrator");
-        for (const QString kite : {"delta_kite", "ripstop_kite"})
-            for (const QString integrator : {"semi_implicit_euler", "implicit_euler", "bdf2"})
-                QTest::addRow("%s %s", qPrintable(kite), qPrintable(integrator))
-                    << kite << integrator;
-    }
-    void kiteStandsByAnyIntegrator()
-    {
-        QFETCH(QString, kite);
-        QFETCH(QString, integrator);
-        Scene scene = sample(kite);
-        const auto found = std::ranges::find(choiceNames<Integrator>, integrator.toStdString());
-        scene.settings.integrator = Integrator(found - choiceNames<Integrator>.begin());
-        const auto system = compile(scene);
-        QVERIFY(system);
-        Simulation named(*system);
-        Simulation byDefault = started(kite);
-        QVERIFY(named.runUntil(20.0) && byDefault.runUntil(20.0));
-        const double angle = probe(named, "line angle"), pull = probe(named, "line tension");
-        qInfo("%.2f degrees, %.2f N", angle, pull);
-        QVERIFY(std::abs(angle - probe(byDefault, "line angle")) < 0.3);
-        QVERIFY(std::abs(pull / probe(byDefault, "line tension") - 1.0) < 0.01);
     }
 
     // The gusts of light turbulence shake the pull, and the kite stays up.
@@ -354,6 +354,9 @@ private slots:
         }
         QVERIFY(probe(simulation, "height") > 0.0);
     }
+
+private:
+    SharedFlights m_flights;
 };
 
 const RegisteredTest registered("test_craft", runPlain<TestCraft>);

@@ -1,9 +1,9 @@
 // The sample scenes: each loads, is what its builder makes, runs 20 s, and shows what it is for.
 // Those that fly are in test_craft.cpp.
 //
-// Stages: every sample runs and equals what its builder and scenes/make make; then the samples that
-// a formula or a measurement is known for, each in a test of its own: strips, sheets that tear,
-// pendulum, heavy load, sheets on bodies, curtain, flag.
+// Stages: every sample equals what its builder and scenes/make make; then the samples that a
+// formula or a measurement is known for, each in a test of its own: strips, sheets that tear,
+// pendulum, heavy load, sheets on bodies, curtain, flag; at last every sample is flown to its end.
 #include "model/sample_scenes.h"
 #include "registered_test.h"
 
@@ -20,6 +20,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ripstop::test_scenes {
@@ -29,27 +30,6 @@ class TestScenes : public QObject
     Q_OBJECT
 
 private slots:
-    void runs_data()
-    {
-        QTest::addColumn<QString>("name");
-        for (const QString& name : sampleNames())
-            QTest::newRow(qPrintable(name)) << name;
-    }
-
-    void runs()
-    {
-        QFETCH(QString, name);
-        const Scene scene = sample(name);
-        QVERIFY(!hasErrors(problemsOf(scene)));
-        QVERIFY(!scene.settings.title.empty());
-
-        Simulation simulation = started(name);
-        const bool whole = simulation.runUntil(20.0);
-        QVERIFY2(whole, whole ? "" : simulation.trouble()->message.english().c_str());
-        for (const Vec3& position : simulation.state().position)
-            QVERIFY(position.allFinite());
-    }
-
     // scenes/README.md has a table with a row for each scene, and no other rows.
     void listsNameEveryScene()
     {
@@ -136,7 +116,7 @@ private slots:
     // elastica says 41.49.
     void stripsDroopToTheRamps()
     {
-        Simulation simulation = started("bending_test");
+        Simulation& simulation = m_flights.of("bending_test", 0.0);
         QVERIFY(simulation.runUntil(6.0));
         for (const char* fabric : {"gray_interlock", "denim_11oz", "royal_target"}) {
             const double slope = -probe(simulation, std::string(fabric) + " slope");
@@ -150,7 +130,7 @@ private slots:
     void sheetTears()
     {
         const Scene scene = sample("torn_sheet");
-        Simulation simulation = started("torn_sheet");
+        Simulation& simulation = m_flights.of("torn_sheet", 0.0);
         QVERIFY(simulation.runUntil(5.0));
         const std::vector<State::Tear>& tears = simulation.state().tears;
         QVERIFY(!tears.empty());
@@ -168,7 +148,7 @@ private slots:
     // of its area but for what the springs give way, in pieces.
     void sheetSplits()
     {
-        Simulation simulation = started("split_sheet");
+        Simulation& simulation = m_flights.of("split_sheet", 0.0);
         const std::size_t particles = simulation.system().key.size();
         const double mass = totalMass(simulation.system());
         const double area = fabricArea(simulation.system(), simulation.state());
@@ -189,7 +169,7 @@ private slots:
     // afterwards.
     void ripstopTears()
     {
-        Simulation simulation = started("tearing_sheet");
+        Simulation& simulation = m_flights.of("tearing_sheet", 0.0);
         const std::size_t particles = simulation.system().key.size();
         const double mass = totalMass(simulation.system());
         QVERIFY(simulation.runUntil(3.0));
@@ -215,7 +195,7 @@ private slots:
     // and are still after 17 s, where a whole thread would pull with 2.5 N.
     void stripTears()
     {
-        Simulation simulation = started("tear_test");
+        Simulation& simulation = m_flights.of("tear_test", 0.0);
         const double timeStep = simulation.system().timeStep;
         QVERIFY(simulation.runUntil(20.0));
         const std::vector<State::Tear>& tears = simulation.state().tears;
@@ -237,7 +217,7 @@ private slots:
     void pendulumKeepsTime()
     {
         const double period = 2.0413384658583684;
-        Simulation simulation = started("pendulum");
+        Simulation& simulation = m_flights.of("pendulum", 0.0);
         int turns = 0;
         double last = 0.0;
         double time = 0.0;
@@ -258,7 +238,7 @@ private slots:
     // lowest point, and no rod of the line is stretched by as much as 0.1 %.
     void heavyLoadIsHeld()
     {
-        Simulation simulation = started("heavy_load");
+        Simulation& simulation = m_flights.of("heavy_load", 0.0);
         const double expected =
             65.05 * 9.80665 * (3.0 - 2.0 * std::cos(20.0 * std::numbers::pi / 180.0));
         double largest = 0.0;
@@ -278,7 +258,7 @@ private slots:
     // EA = 100 kN: (M + m / 2) g L / (EA) of 65 kg and 0.5 kg on 10 m; the ends come first.
     void stretchedLineIsAsLongAsItsStiffnessSays()
     {
-        Simulation simulation = started("stretched_line");
+        Simulation& simulation = m_flights.of("stretched_line", 0.0);
         QVERIFY(simulation.runUntil(18.0));
         const auto& position = simulation.state().position;
         const double longer = Vec3(position[0] - position[1]).norm() - 10.0;
@@ -299,7 +279,7 @@ private slots:
     void sheetsLieOnTop()
     {
         QFETCH(QString, name);
-        Simulation simulation = started(name);
+        Simulation& simulation = m_flights.of(name, 0.0);
         for (double time = 0.5; time <= 10.0; time += 0.5) {
             QVERIFY(simulation.runUntil(time));
             for (const Obstacle& obstacle : simulation.system().obstacles)
@@ -327,7 +307,7 @@ private slots:
     // with 2 m/s by a few times that. Put right after the solve, contact strained it by 1.5 %.
     void ripstopLiesOnTheBall()
     {
-        Simulation simulation = started("ripstop_over_ball");
+        Simulation& simulation = m_flights.of("ripstop_over_ball", 0.0);
         QVERIFY(simulation.runUntil(4.0));
         QVERIFY2(probe(simulation, "max strain") < 1e-3,
                  qPrintable(QString::number(probe(simulation, "max strain"))));
@@ -342,7 +322,7 @@ private slots:
     // Rings slide along their rail and nowhere else, and the curtain is drawn together.
     void curtainIsDrawn()
     {
-        Simulation simulation = started("curtain");
+        Simulation& simulation = m_flights.of("curtain", 0.0);
         const std::vector<GuidedParticle> rings = simulation.system().guided;
         QVERIFY(rings.size() >= 5);
         const State before = simulation.state();
@@ -362,7 +342,7 @@ private slots:
     // Waves on it run slower than the wind, so that they grow: the flag must not come to rest.
     void flagFlutters()
     {
-        Simulation simulation = started("flag");
+        Simulation& simulation = m_flights.of("flag", 0.0);
         QVERIFY(simulation.runUntil(10.0));
         double left = 0.0;
         double right = 0.0;
@@ -374,6 +354,31 @@ private slots:
         qInfo("the corner swings %.2f m", right - left);
         QVERIFY(right - left > 0.05);
     }
+
+    // Last, as these flights go on where the tests above have left them.
+    void runs_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const QString& name : sampleNames())
+            QTest::newRow(qPrintable(name)) << name;
+    }
+
+    void runs()
+    {
+        QFETCH(QString, name);
+        const Scene scene = sample(name);
+        QVERIFY(!hasErrors(problemsOf(scene)));
+        QVERIFY(!scene.settings.title.empty());
+
+        Simulation& simulation = m_flights.of(name, std::numeric_limits<double>::infinity());
+        const bool whole = simulation.runUntil(20.0);
+        QVERIFY2(whole, whole ? "" : simulation.trouble()->message.english().c_str());
+        for (const Vec3& position : simulation.state().position)
+            QVERIFY(position.allFinite());
+    }
+
+private:
+    SharedFlights m_flights;
 };
 
 const RegisteredTest registered("test_scenes", runPlain<TestScenes>);
