@@ -279,7 +279,9 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath("a.ripstop.json");
-        QCOMPARE(call({"build", "delta_kite", "-o", path}).exitCode, 0);
+        // in a storm, finer cloth or a kite would ask for as many substeps as there may be
+        const QStringList made{"build", "cloth", "cloth=ideal", "columns=10", "rows=10"};
+        QCOMPARE(call(made + QStringList{"-o", path}).exitCode, 0);
         const Outcome quiet = call({"run", path, "--seconds", "0.01"});
         QCOMPARE(quiet.exitCode, 0);
         QCOMPARE(quiet.error, QString());
