@@ -195,10 +195,10 @@ private slots:
     void everyFieldOfDialogsThatStay()
     {
         QFETCH(Qt::Key, end);
+        OpenWindow shop;
         int looked = 0;
         for (const char* id :
              {"verification", "polar", "certify", "settle", "byProperty", "floppy"}) {
-            OpenWindow shop;
             shop.selection.set({shop.document.scene().items.front().id});
             for (int i = 0;; ++i) {
                 shop.run(id);
