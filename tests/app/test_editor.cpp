@@ -305,7 +305,7 @@ private slots:
             const Finished done =
                 run(EDITOR_PROGRAM,
                     {samples + "delta_kite.ripstop.json", "--screenshot", picture, "--after", "0.1",
-                     "--view-only", "--size", "900x600", "--language", "en"},
+                     "--view-only", "--size", "640x320", "--language", "en"},
                     environment);
             return done.exitCode == 0 && done.error.isEmpty() ? QImage(picture) : QImage();
         };
