@@ -1,8 +1,11 @@
 // Stages: the constructor collects the entries of all menus with their paths; fill() ranks those
-// that answer what is typed and lists them, those that cannot be run now last and grey. fit() is
-// the ranking: each typed word has to be found, in the name first, then in the menu, then in the
-// tip. Keys that move through the list work while the field has the focus.
+// that answer what is typed and lists them, those that cannot be run now last and grey, unless it
+// is their name that was typed. fit() is the ranking: each typed word has to be found, in the name
+// first, then among what others call it, then in the menu, then in the tip. Keys that move through
+// the list work while the field has the focus.
 #include "actions/palette.h"
+
+#include "actions/other_words.h"
 
 #include <QAction>
 #include <QApplication>
@@ -16,6 +19,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 namespace ripstop {
 namespace {
@@ -32,15 +37,58 @@ QString tipOf(const QAction& action)
     return action.statusTip().isEmpty() ? action.toolTip() : action.statusTip();
 }
 
-bool beginsAWord(const QString& text, const QString& word)
+enum class Found { No, Within, AtBeginning, Whole };
+
+// The best place of `word` in a text: a word of it, the beginning of one, or a part.
+Found bestPlace(const QString& text, const QString& word)
 {
-    return text.startsWith(word, Qt::CaseInsensitive)
-           || text.contains(' ' + word, Qt::CaseInsensitive);
+    Found best = Found::No;
+    for (qsizetype at = text.indexOf(word, 0, Qt::CaseInsensitive); at >= 0;
+         at = text.indexOf(word, at + 1, Qt::CaseInsensitive)) {
+        const qsizetype end = at + word.size();
+        const bool begins = at == 0 || !text[at - 1].isLetterOrNumber();
+        const bool ends = end == text.size() || !text[end].isLetterOrNumber();
+        best = std::max(best, !begins ? Found::Within : ends ? Found::Whole : Found::AtBeginning);
+    }
+    return best;
 }
 
-bool isAWord(const QString& text, const QString& word)
+constexpr int isItsName = 10000;      // more than all words of what is typed can sum up to
+constexpr int beginsWithWords = 1000; // likewise
+
+int nameFit(const QString& name, const QString& word)
 {
-    return (' ' + text + ' ').contains(' ' + word + ' ', Qt::CaseInsensitive);
+    const bool isFirst = name.startsWith(word, Qt::CaseInsensitive);
+    switch (bestPlace(name, word)) {
+    case Found::Whole:
+        return isFirst ? 50 : 45;
+    case Found::AtBeginning:
+        return isFirst ? 40 : 30;
+    case Found::Within:
+        return 15;
+    case Found::No:
+        break;
+    }
+    return 0;
+}
+
+// A sentence has so many words that beginnings of them say nothing: each tip of the languages has
+// a window in it, which is no wind.
+bool isInSentence(const QString& sentence, const QString& word)
+{
+    return bestPlace(sentence, word) == Found::Whole
+           || bestPlace(sentence, word + 's') == Found::Whole;
+}
+
+int wordFit(const QString& word, const QString& name, const QString& menu, const QString& tip,
+            const QString& others)
+{
+    int best = nameFit(name, word);
+    if (const Found other = bestPlace(others, word); other >= Found::AtBeginning)
+        best = std::max(best, other == Found::Whole ? 25 : 20);
+    if (best == 0 && bestPlace(menu, word) >= Found::AtBeginning)
+        return 8;
+    return best == 0 && isInSentence(tip, word) ? 4 : best;
 }
 
 } // namespace
@@ -107,22 +155,19 @@ QString Palette::dock() const
     return row ? row->data(0, dockRole).toString() : QString();
 }
 
-int Palette::fit(const QString& typed, const QString& name, const QString& menu, const QString& tip)
+int Palette::fit(const QString& typed, const QString& name, const QString& menu, const QString& tip,
+                 const QString& others)
 {
-    int sum = 1;
-    for (const QString& word : typed.split(' ', Qt::SkipEmptyParts)) {
-        if (name.startsWith(word, Qt::CaseInsensitive))
-            sum += isAWord(name, word) ? 50 : 40;
-        else if (beginsAWord(name, word))
-            sum += isAWord(name, word) ? 45 : 30;
-        else if (name.contains(word, Qt::CaseInsensitive))
-            sum += 15;
-        else if (beginsAWord(menu, word))
-            sum += 8;
-        else if (beginsAWord(tip, word))
-            sum += 4;
-        else
+    const QString asked = typed.simplified();
+    const QString bare = QString(name).remove(QStringLiteral("…"));
+    if (!asked.isEmpty() && bare.compare(asked, Qt::CaseInsensitive) == 0)
+        return isItsName;
+    int sum = (bare + ' ').startsWith(asked + ' ', Qt::CaseInsensitive) ? beginsWithWords : 1;
+    for (const QString& word : asked.split(' ', Qt::SkipEmptyParts)) {
+        const int fits = wordFit(word, name, menu, tip, others);
+        if (fits == 0)
             return 0;
+        sum += fits;
     }
     return sum;
 }
@@ -142,12 +187,12 @@ void Palette::fill()
 {
     QList<std::pair<int, const Entry*>> fitting;
     for (const Entry& entry : m_entries)
-        if (const int fits = fit(m_typed->text(), entry.name, entry.menu, tipOf(*entry.action)))
+        if (const int fits = fit(m_typed->text(), entry.name, entry.menu, tipOf(*entry.action),
+                                 otherWords(entry.action->objectName())))
             fitting << std::pair{fits, &entry};
-    std::ranges::stable_sort(fitting, [](const auto& a, const auto& b) {
-        const bool aRuns = a.second->action->isEnabled();
-        const bool bRuns = b.second->action->isEnabled();
-        return aRuns != bRuns ? aRuns : a.first > b.first;
+    // a grey one stays first where it was named, so that Enter runs no other
+    std::ranges::stable_sort(fitting, std::greater{}, [](const auto& one) {
+        return std::tuple(one.first == isItsName, one.second->action->isEnabled(), one.first);
     });
 
     m_none->setVisible(fitting.isEmpty());

@@ -35,11 +35,13 @@ public:
     QAction* chosen() const; // null when there is none, or it cannot be run now
     QString dock() const;    // where what is chosen is seen; empty when it stands in the menu bar
 
-    // How well an action answers what was typed: 0 not at all. Each word has to occur somewhere; a
-    // word of the name counts more than one of its menu or its tip, a whole word more than the
-    // beginning of one, and that more than a middle.
+    // How well an action answers what was typed: 0 not at all. Its name alone counts most, then a
+    // name that begins with these words. Else each word has to occur somewhere: a word of the name
+    // counts more than one of `others`, which are what other programs call it, and these more than
+    // one of its menu or its tip; a whole word more than the beginning of one, and that more than a
+    // middle. Of tips only whole words count.
     static int fit(const QString& typed, const QString& name, const QString& menu,
-                   const QString& tip);
+                   const QString& tip, const QString& others = {});
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -41,6 +41,8 @@ void Docks::add(const DockRow& row, const PanelParts& parts)
 {
     auto* dock = new QDockWidget(row.title, &m_window);
     dock->setObjectName(row.id); // restoreState() knows docks by this
+    // the search finds a panel by the words of other programs under this name (other_words.h)
+    dock->toggleViewAction()->setObjectName(QStringLiteral("dock.%1").arg(row.id));
     QWidget* panel = row.make(parts, m_panels, *dock);
     dock->setWidget(panel);
     m_panels.add(*panel);

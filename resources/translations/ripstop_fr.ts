@@ -6391,6 +6391,36 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>une scène à la fois ; « %1 » est de trop</translation>
     </message>
     <message>
+        <location filename="other_words.cpp"/>
+        <source>measure</source>
+        <translation>mesurer mesure</translation>
+    </message>
+    <message>
+        <location filename="other_words.cpp"/>
+        <source>screenshot image snapshot</source>
+        <translation>capture écran instantané screenshot</translation>
+    </message>
+    <message>
+        <location filename="other_words.cpp"/>
+        <source>stability errors warnings</source>
+        <translation>stabilité erreurs avertissements</translation>
+    </message>
+    <message>
+        <location filename="other_words.cpp"/>
+        <source>video movie animation</source>
+        <translation>vidéo animation</translation>
+    </message>
+    <message>
+        <location filename="other_words.cpp"/>
+        <source>zoom frame all reset camera</source>
+        <translation>zoom cadrer tout recadrer caméra</translation>
+    </message>
+    <message>
+        <location filename="other_words.cpp"/>
+        <source>zoom frame selected focus</source>
+        <translation>zoom cadrer sélection focus</translation>
+    </message>
+    <message>
         <location filename="outline.cpp"/>
         <source>Add</source>
         <translation>Ajouter</translation>

@@ -115,6 +115,12 @@ private slots:
         QTest::newRow("name before tip") << "mesh"
                                          << "Export mesh"
                                          << "Import";
+        QTest::newRow("the name itself before one that begins so") << "reset"
+                                                                   << "Reset"
+                                                                   << "Reset layout";
+        QTest::newRow("these words first before these words later") << "show wind"
+                                                                    << "Show wind field"
+                                                                    << "Show the wind";
         QTest::newRow("all words have to fit") << "show wind"
                                                << "Show wind field"
                                                << "Show panels";
@@ -131,6 +137,58 @@ private slots:
     {
         QCOMPARE(Palette::fit("zebra", "Show wind", "View", "Draw an arrow."), 0);
         QVERIFY(Palette::fit("", "Show wind", "View", "Draw an arrow.") > 0);
+        QCOMPARE(Palette::fit("wind", "English", "Language", "The window in English."), 0);
+        QVERIFY(Palette::fit("window", "English", "Language", "The window in English.") > 0);
+        QVERIFY(Palette::fit("probe", "Table", "Tools", "What probes read.") > 0);
+    }
+
+    // Who types a name gets that action with Enter, and no other that begins so; words of other
+    // programs lead to what these call so.
+    void paletteTakesNamesAndWordsOfOthers_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("id");
+        QTest::newRow("a name") << "reset"
+                                << "reset";
+        QTest::newRow("a name with an ellipsis") << "save picture"
+                                                 << "picture";
+        QTest::newRow("zoom") << "zoom"
+                              << "fit";
+        QTest::newRow("frame all") << "frame all"
+                                   << "fit";
+        QTest::newRow("frame selected") << "frame sel"
+                                        << "fitSelected";
+        QTest::newRow("screenshot") << "screenshot"
+                                    << "picture";
+        QTest::newRow("measure") << "measure"
+                                 << "addProbe";
+        QTest::newRow("stability") << "stability"
+                                   << "dock.problems";
+    }
+    void paletteTakesNamesAndWordsOfOthers()
+    {
+        QFETCH(QString, typed);
+        QFETCH(QString, id);
+        Editor editor;
+        QVERIFY(editor.window.files().open(samples + "cloth.ripstop.json"));
+        editor.selection.set({editor.document.scene().items.back().id});
+        inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
+            QTest::keyClicks(palette.findChild<QLineEdit*>(), typed);
+            QVERIFY(palette.chosen());
+            QCOMPARE(palette.chosen()->objectName(), id);
+        });
+    }
+
+    // The languages speak of the window, which is no wind.
+    void paletteKeepsWordsWholeInTips()
+    {
+        Editor editor;
+        inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
+            QTest::keyClicks(palette.findChild<QLineEdit*>(), "wind");
+            const auto* list = palette.findChild<QTreeWidget*>();
+            QVERIFY(list->findItems("English", Qt::MatchStartsWith).isEmpty());
+            QVERIFY(!list->findItems("Wind", Qt::MatchStartsWith).isEmpty());
+        });
     }
 
     void paletteRunsWhatIsTyped()
