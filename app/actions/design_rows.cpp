@@ -33,7 +33,8 @@ constexpr std::array<std::array<const char*, 3>, 3> alignIds{
      {"alignLeastZ", "alignMiddleZ", "alignMostZ"}}};
 constexpr std::array<const char*, 3> distributeIds{"distributeX", "distributeY", "distributeZ"};
 
-// What shapes the design. It leaves a run that is shown and goes back to the design first.
+// What shapes the design. Operations leave a run that is shown and go back to the design first; the
+// tools refuse it.
 class Shaper
 {
 public:
@@ -49,6 +50,8 @@ public:
     // One tool at a time: another would have its options under those of this one.
     void choose(Shaping shaping) const
     {
+        if (m_tool.shaping() != shaping && !m_tool.canBegin())
+            return;
         while (m_pointing.hasTool() && m_pointing.escape()) {
         }
         m_tool.setShaping(m_tool.shaping() == shaping ? Shaping::None : shaping);

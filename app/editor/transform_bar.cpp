@@ -115,7 +115,7 @@ void TransformBar::layOut()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 5, 8, 5);
     layout->addWidget(m_row);
-    m_hint->setText(tr("A run is shown. Reset (Ctrl+R) goes back to the design."));
+    m_hint->setText(TransformTool::wayToDesign());
     layout->addWidget(m_hint);
 }
 

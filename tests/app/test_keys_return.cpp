@@ -10,7 +10,6 @@
 #include "outline/outline.h"
 #include "scene/path.h"
 #include "tools/pointing.h"
-#include "tools/transform_tool.h"
 #include "transport/control_keys.h"
 
 #include <QComboBox>
@@ -144,10 +143,11 @@ QString complaintAfter(OpenWindow& shop, QWidget& widget, Qt::Key end)
     if (shop.player.isPlaying() == played)
         return name + ": Space does not play";
     shop.type(Qt::Key_Space);
-    shop.type(Qt::Key_G);
-    if (shop.viewport.transformTool().shaping() != Shaping::Move)
-        return name + ": G is not the tool";
-    shop.type(Qt::Key_G);
+    shop.type(Qt::Key_H);
+    if (!shop.viewport.pointing().hasTool())
+        return name + ": H is not the tool";
+    shop.run("toolPointer");
+    shop.player.reset();
     if ((field && textOf(*field) != text) || QApplication::activePopupWidget())
         return name + " was typed into: " + textOf(*field);
     shop.type(Qt::Key_Z, Qt::ControlModifier);

@@ -101,6 +101,41 @@ private slots:
         QCOMPARE(tool.shaping(), Shaping::None);
     }
 
+    // A key pressed by mistake ends no flight and puts no other tool down; without a selection
+    // there is nothing to shape.
+    void toolsRefuseARunAndAnEmptySelection()
+    {
+        Shop shop(fallingPair());
+        QTRY_VERIFY(shop.player.frame());
+        TransformTool& tool = shop.window.viewport().transformTool();
+        QString said;
+        connect(&tool, &TransformTool::said, this, [&](const QString& words) { said = words; });
+        for (const char* id : {"move", "rotate", "scale"}) {
+            shop.run(id);
+            QVERIFY2(said.startsWith("Select something first"), qPrintable(said));
+            QCOMPARE(tool.shaping(), Shaping::None);
+            QVERIFY(!shop.action(id)->isChecked());
+        }
+        shop.selection.set({Id{2}});
+        shop.player.step();
+        QTRY_VERIFY(shop.player.frame()->step > 0);
+        shop.run("toolGrab");
+        for (const bool plays : {false, true}) {
+            if (plays)
+                shop.player.play();
+            for (const char* id : {"move", "rotate", "scale"}) {
+                said.clear();
+                shop.run(id);
+                QCOMPARE(said, TransformTool::wayToDesign());
+                QCOMPARE(tool.shaping(), Shaping::None);
+                QVERIFY(!shop.action(id)->isChecked());
+                QVERIFY(shop.window.viewport().pointing().hasTool());
+                QCOMPARE(shop.player.isPlaying(), plays);
+                QVERIFY(shop.player.frame()->step > 0);
+            }
+        }
+    }
+
     void numbersAreTypedIntoTheBar()
     {
         Shop shop;

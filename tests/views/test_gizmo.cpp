@@ -259,8 +259,9 @@ private slots:
                  view.place(Id{3}).x() > 0 ? (view.place(Id{3}) - view.place(Id{2})).norm() : 0.0);
     }
 
-    // The design is what is shaped: a run that is shown gives way to it.
-    void aRunGoesBackToItsStart()
+    // The design is what is shaped: while a run is shown, playing or paused, the tool cannot be
+    // chosen and says why; one that is chosen waits.
+    void aRunIsLeftAlone()
     {
         View view(fallingPair());
         view.selection.set({Id{2}});
@@ -268,12 +269,18 @@ private slots:
         view.player.step();
         QTRY_VERIFY(view.player.frame()->step > 0);
         QSignalSpy said(&view.tool, &TransformTool::said);
+        QVERIFY(!view.tool.canBegin());
+        QCOMPARE(said.takeFirst().first().toString(), TransformTool::wayToDesign());
         view.tool.setShaping(Shaping::Move);
-        QCOMPARE(said.count(), 1);
+        QVERIFY(!view.tool.acts());
+        QVERIFY(view.player.frame()->step > 0);
+        view.player.reset();
         QTRY_VERIFY(view.tool.acts());
-        QCOMPARE(view.player.frame()->step, decltype(view.player.frame()->step)(0));
+        QVERIFY(view.tool.canBegin());
+        QCOMPARE(said.count(), 0);
         view.player.play();
         QVERIFY(!view.tool.acts());
+        QVERIFY(!view.tool.canBegin());
     }
 
     // Along its own x a link becomes longer and keeps its direction.

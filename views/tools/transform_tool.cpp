@@ -79,9 +79,24 @@ void TransformTool::setShaping(Shaping shaping)
         cancel();
     m_shaping = shaping;
     m_hovered = {};
-    if (shaping != Shaping::None)
-        goToDesign();
     emit changed();
+}
+
+QString TransformTool::wayToDesign()
+{
+    return tr("A run is shown. Reset (Ctrl+R) goes back to the design.");
+}
+
+bool TransformTool::canBegin()
+{
+    const bool isAny = !m_selection.ids().empty();
+    if (isAtDesign() && isAny)
+        return true;
+    emit said(!isAtDesign() ? wayToDesign()
+                            : tr("Select something first: in the view, in the outline or with the "
+                                 "menu Select."));
+    emit changed(); // the toggle that was pressed is off
+    return false;
 }
 
 void TransformTool::goToDesign()

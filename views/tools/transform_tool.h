@@ -1,9 +1,9 @@
 // The tool that moves, turns and scales what is selected, by the handles of a gizmo or by numbers.
 //
-// It shapes the design, so it acts while the simulation stands at its start: choosing it takes the
-// simulation back there, and while a run is shown it waits. One drag is one step of the history.
-// While it drags: X, Y or Z keep to that axis, digits type the amount, Ctrl snaps, Esc and the
-// right button take everything back.
+// It shapes the design, so it acts while the simulation stands at its start: while a run is shown
+// it cannot be chosen, and waits if it was, as a key that is pressed by mistake must not end a
+// flight. One drag is one step of the history. While it drags: X, Y or Z keep to that axis, digits
+// type the amount, Ctrl snaps, Esc and the right button take everything back.
 #pragma once
 
 #include "tools/handle_drag.h"
@@ -49,9 +49,13 @@ public:
     Snap snap() const { return m_snap; }
     void setSnap(Snap snap) { m_snap = snap; }
 
-    bool isAtDesign() const; // no run is shown
-    void goToDesign();       // where a run is shown; it then says so
-    bool acts() const;       // there are handles to take hold of
+    bool isAtDesign() const;      // no run is shown
+    void goToDesign();            // where a run is shown; it then says so
+    static QString wayToDesign(); // a sentence for who sees a run
+    // Whether there is a design to be shaped and something of it is selected; it says what is to be
+    // done first.
+    bool canBegin();
+    bool acts() const; // there are handles to take hold of
 
     // Numbers of the drag under way, or those that change nothing: m along the axes, degrees about
     // them, factors.
