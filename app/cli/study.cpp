@@ -4,6 +4,7 @@
 // rows of all points.
 #include "cli/commands.h"
 #include "cli/scene_input.h"
+#include "cli/study_line.h"
 #include "cli/study_new.h"
 #include "cli/targets.h"
 #include "io/json_text.h"
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -103,59 +103,6 @@ Result<OpenedStudy> openWith(const std::string& file, EditedDesign edited)
                        scene);
     return before;
 }
-
-// The line that says how far a study is, which whoever flies brings up to date: within a flight,
-// too, as one may take hours.
-class StudyLine
-{
-public:
-    explicit StudyLine(OpenedStudy& opened)
-        : m_line("study")
-    {
-        if (opened.optimiser)
-            m_all = double(Optimiser::most(opened.study.plan));
-        m_isOptimised = opened.optimiser.has_value();
-        opened.plan.progress = &m_flights;
-    }
-
-    void tell(const FlightNews& news)
-    {
-        const std::lock_guard lock(m_mutex);
-        m_over = double(m_isOptimised ? news.point : news.flown.tally.flown);
-        show();
-    }
-    void tellRecorded(std::size_t done, std::size_t wanted)
-    {
-        const std::lock_guard lock(m_mutex);
-        if (done == 0) // the time that is left is told from the start of the line
-            m_line.emplace("recording the best");
-        m_over = double(done);
-        m_all = double(wanted);
-        show();
-    }
-    bool isInterrupted() // asked between any two steps: no thread waits for another one here
-    {
-        if (const std::unique_lock lock(m_mutex, std::try_to_lock); lock)
-            show();
-        return interrupted();
-    }
-    void end() { m_line.reset(); }
-
-private:
-    void show()
-    {
-        const double all = m_all > 0.0 ? m_all : double(m_flights.planned());
-        if (m_line && all > 0.0)
-            m_line->show((m_over + m_flights.underWay()) / all);
-    }
-
-    std::optional<ProgressLine> m_line;
-    StudyProgress m_flights;
-    std::mutex m_mutex;
-    double m_over = 0.0; // flights
-    double m_all = 0.0;  // flights; 0: as many as are planned
-    bool m_isOptimised = false;
-};
 
 int runStudy(const std::string& file, const std::string& shardText, int jobs, EditedDesign edited)
 {
