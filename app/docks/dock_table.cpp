@@ -95,9 +95,11 @@ QWidget* makeLoads(const PanelParts& parts, const Panels&, QDockWidget& dock)
 
 QWidget* makeTable(const PanelParts& parts, const Panels&, QDockWidget& dock)
 {
-    return new SheetPanel(
+    auto* table = new SheetPanel(
         parts.document, parts.selection,
         [&player = parts.player] { return measurementOf(player.frame()); }, &dock);
+    table->follow(parts.player);
+    return table;
 }
 
 // What is to be studied brings it forward, with room for the map.

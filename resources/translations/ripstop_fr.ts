@@ -7751,16 +7751,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>%1 : déplacement jusqu’à %2</translation>
     </message>
     <message>
-        <location filename="property_difference.cpp"/>
-        <source>no</source>
-        <translation>non</translation>
-    </message>
-    <message>
-        <location filename="property_difference.cpp"/>
-        <source>yes</source>
-        <translation>oui</translation>
-    </message>
-    <message>
         <location filename="property_form.cpp"/>
         <source>%1&lt;br&gt;The default is %2.</source>
         <translation>%1&lt;br&gt;La valeur par défaut est %2.</translation>
@@ -9420,6 +9410,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="sheet_panel.cpp"/>
+        <source>The design at its start, not the run.</source>
+        <translation>Le modèle à son départ, pas la simulation.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>The run is read by probes, by the colours of the view, and in the status bar with the mouse on a thing.</source>
+        <translation>La simulation se lit aux sondes, aux couleurs de la vue et dans la barre d’état, la souris sur une chose.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
         <source>What the rows are</source>
         <translation>Ce que sont les rangs</translation>
     </message>
@@ -10690,6 +10690,16 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="subject.cpp"/>
         <source>Set %1 of %2</source>
         <translation>Régler %1 de %2</translation>
+    </message>
+    <message>
+        <location filename="subject.cpp"/>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <location filename="subject.cpp"/>
+        <source>yes</source>
+        <translation>oui</translation>
     </message>
     <message>
         <location filename="suggested_variable.cpp"/>
@@ -17669,11 +17679,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="transform_bar.cpp"/>
-        <source>A run is shown. Reset (Ctrl+R) goes back to the design.</source>
-        <translation>Une simulation est montrée. Réinitialiser (Ctrl+R) revient au modèle.</translation>
-    </message>
-    <message>
-        <location filename="transform_bar.cpp"/>
         <source>Angle about %1, in degrees. Enter applies it.</source>
         <translation>Angle autour de %1, en degrés. Entrée l’applique.</translation>
     </message>
@@ -17781,6 +17786,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="transform_bar.cpp"/>
         <source>World axes</source>
         <translation>Axes du monde</translation>
+    </message>
+    <message>
+        <location filename="transform_tool.cpp"/>
+        <source>A run is shown. Reset (Ctrl+R) goes back to the design.</source>
+        <translation>Une simulation est montrée. Réinitialiser (Ctrl+R) revient au modèle.</translation>
     </message>
     <message>
         <location filename="transform_tool.cpp"/>

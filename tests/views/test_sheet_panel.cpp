@@ -5,6 +5,7 @@
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/measurement.h"
+#include "document/player.h"
 #include "document/selection.h"
 #include "small_scenes.h"
 #include "table/sheet_panel.h"
@@ -86,6 +87,24 @@ private slots:
         QCOMPARE(desk.panel.model().ids().front(), Id{3});
         desk.sortBy("mass", Qt::AscendingOrder);
         QCOMPARE(desk.panel.model().ids().back(), Id{3});
+    }
+
+    // The numbers of the table stay those of the design, which it says while a run is shown.
+    void whoSeesARunIsToldOfTheDesign()
+    {
+        Desk desk(fallingPair());
+        Player player{desk.document};
+        desk.panel.follow(player);
+        const char* told = "not the run";
+        QTRY_VERIFY(player.frame());
+        QVERIFY(!desk.says(told));
+        player.step();
+        QTRY_VERIFY(desk.says(told));
+        player.reset();
+        QTRY_VERIFY(!desk.says(told));
+        player.play();
+        QTRY_VERIFY(desk.says(told));
+        player.pause();
     }
 
     void aCellIsEdited()

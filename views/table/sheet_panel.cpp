@@ -8,6 +8,7 @@
 #include "table/sheet_panel.h"
 
 #include "document/document.h"
+#include "document/player.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "icons/complaint.h"
@@ -56,6 +57,7 @@ SheetPanel::SheetPanel(Document& document, Selection& selection,
     , m_filter(new QLineEdit)
     , m_onlySelected(new QCheckBox(tr("Only s&elected")))
     , m_count(new QLabel)
+    , m_ofDesign(new QLabel(tr("The design at its start, not the run.")))
     , m_complaint(new Complaint)
     , m_table(new QTableView)
 {
@@ -106,10 +108,17 @@ SheetPanel::SheetPanel(Document& document, Selection& selection,
     auto* warning = new QHBoxLayout;
     warning->setContentsMargins(6, 0, 6, 2);
     warning->addWidget(m_complaint);
+    m_ofDesign->setObjectName(QStringLiteral("ofDesign"));
+    m_ofDesign->setForegroundRole(QPalette::PlaceholderText);
+    m_ofDesign->setContentsMargins(6, 0, 6, 2);
+    m_ofDesign->setToolTip(tr("The run is read by probes, by the colours of the view, and in the "
+                              "status bar with the mouse on a thing."));
+    m_ofDesign->hide();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(bar);
+    layout->addWidget(m_ofDesign);
     layout->addLayout(warning);
     layout->addWidget(m_table, 1);
 
@@ -135,6 +144,17 @@ SheetPanel::SheetPanel(Document& document, Selection& selection,
         if (m_onlySelected->isChecked() && !m_isMarking)
             m_soon.start();
     });
+}
+
+void SheetPanel::follow(const Player& player)
+{
+    const auto tell = [this, &player] {
+        const Frame* shown = player.frame().get();
+        m_ofDesign->setVisible(shown && (player.isPlaying() || shown->underWay));
+    };
+    connect(&player, &Player::frameReady, this, tell);
+    connect(&player, &Player::stateChanged, this, tell);
+    tell();
 }
 
 void SheetPanel::showSheet(SheetOf sheet)

@@ -1,8 +1,9 @@
 // Particles, links, lines, panels or materials as a spreadsheet.
 //
 // It is sorted by a click on a column, filtered by a condition, edited in place, copied to and
-// pasted from other spreadsheets. The rows that are marked are selected in the design. While it is
-// hidden it does nothing but note that its rows are old.
+// pasted from other spreadsheets. The rows that are marked are selected in the design. While a run
+// is shown it says that its numbers are those of the design. While it is hidden it does nothing but
+// note that its rows are old.
 #pragma once
 
 #include "select/condition.h"
@@ -23,6 +24,7 @@ namespace ripstop {
 
 class Complaint;
 class Document;
+class Player;
 class Selection;
 
 class SheetPanel final : public QWidget
@@ -33,6 +35,8 @@ public:
     // `measurement` is asked for what conditions can measure now.
     SheetPanel(Document& document, Selection& selection, std::function<Measurement()> measurement,
                QWidget* parent = nullptr);
+
+    void follow(const Player& player); // to say when what is shown is no design
 
     void showSheet(SheetOf sheet);
     SheetModel& model() { return m_model; }
@@ -62,6 +66,7 @@ private:
     QLineEdit* m_filter;
     QCheckBox* m_onlySelected;
     QLabel* m_count;
+    QLabel* m_ofDesign; // while a run is shown
     Complaint* m_complaint;
     QTableView* m_table;
     QTimer m_soon;         // the filter is looked at when typing pauses
