@@ -10693,6 +10693,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="subject.cpp"/>
+        <source>Set %1 of %2 to %3</source>
+        <translation>Régler %1 de %2 à %3</translation>
+    </message>
+    <message>
+        <location filename="subject.cpp"/>
         <source>no</source>
         <translation>non</translation>
     </message>

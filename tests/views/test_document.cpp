@@ -1,8 +1,9 @@
 // The document, its history and the selection (document/document.h, document/selection.h).
 //
 // Stages: a table of edits of every kind, each of which has to be undone and redone to the same
-// scene, alone and in a long history; what is told of changes; files and what is remembered of
-// them; the selection when things vanish; and the words for elements and their readings.
+// scene, alone and in a long history; what the history says; what is told of changes; files and
+// what is remembered of them; the selection when things vanish; and the words for elements and
+// their readings.
 #include "document/document.h"
 #include "views/run_with_widgets.h"
 
@@ -10,9 +11,12 @@
 #include "document/measurement.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "inspector/last_directions.h"
+#include "inspector/subject.h"
 #include "io/scene_file.h"
 #include "simulation/simulation.h"
 #include "small_scenes.h"
+#include "views/inspector_form.h"
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -91,6 +95,37 @@ class TestDocument : public QObject
     Q_OBJECT
 
 private slots:
+    // Steps of one property are told apart in the history by what they set it to.
+    void theHistorySaysValues()
+    {
+        InspectorForm form;
+        const auto told = [&] { return form.document.history().undoText(); };
+        form.selection.set({Id{13}});
+        form.type(form.line("velocity", 0), "7.5");
+        QVERIFY2(told().startsWith("Set velocity of ") && told().contains(" to 7.5, ")
+                     && told().endsWith(QStringLiteral("\u00a0m/s")),
+                 qPrintable(told()));
+        form.selection.set({Id{3}});
+        form.type(form.line("mass"), "2 g");
+        QVERIFY2(told().endsWith(QStringLiteral("to 2\u00a0g")), qPrintable(told()));
+    }
+
+    // The steps of a drag are one in the history, with the value that it ended at.
+    void aDragSaysItsLastValue()
+    {
+        InspectorForm form;
+        LastDirections directions;
+        Subject subject(form.document, directions);
+        subject.set(Kind::Particle, {Id{3}});
+        const Property& mass = propertyOf<&Particle::mass>();
+        const int gesture = form.document.beginGesture();
+        for (const double kilograms : {0.1, 0.2, 0.3})
+            subject.drag(mass, {kilograms}, gesture);
+        QCOMPARE(form.document.history().count(), 1);
+        const QString told = form.document.history().undoText();
+        QVERIFY2(told.endsWith(QStringLiteral("to 300\u00a0g")), qPrintable(told));
+    }
+
     void gestureUndoesInOneStep()
     {
         Document document;
