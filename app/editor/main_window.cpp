@@ -196,7 +196,7 @@ void MainWindow::connectParts()
             });
     connect(&m_docks->panel<LoadPanel>(), &LoadPanel::chosen, m_viewport,
             [this](quint32 element) { m_viewport->centre({Id{element}}); });
-    auto* breaks = new ShownBreak(m_player, *m_recordings, *m_viewport, *this);
+    auto* breaks = new ShownBreak(m_player, *m_recordings, m_selection, *m_viewport, *this);
     connect(&m_docks->panel<LoadPanel>(), &LoadPanel::breakChosen, breaks, &ShownBreak::show);
     m_status->hear(*breaks);
     connect(m_recordings, &Recordings::ghostsShown, m_viewport, &Viewport::showGhosts);

@@ -89,6 +89,17 @@ private slots:
         QTRY_VERIFY(shop.looksAt(tear.time)); // within 0.01 s
         QVERIFY(shop.player.frame()->time <= tear.time);
         QTRY_COMPARE(shop.viewport.camera().focus, tear.place);
+        QVERIFY(shop.player.frame()->tears.empty());
+        const auto* mark = shop.viewport.findChild<QWidget*>("breakMark");
+        QVERIFY(mark && mark->isVisible());
+        shop.selection.set({shop.document.scene().items.front().id});
+        QVERIFY(!mark->isVisible());
+
+        // where that instant has a frame, what breaks in it is seen, selected, in the one before
+        const std::size_t there = 30;
+        const double instant = shop.runs.current()->timeOf(there);
+        emit loads.breakChosen(shop.player.run(), instant, tear.place);
+        QCOMPARE(shop.runs.frame(), there - 1);
 
         shop.run("backToLive");
         QString said;

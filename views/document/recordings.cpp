@@ -229,7 +229,7 @@ bool Recordings::seekRun(std::uint64_t run, double time)
     }
     pause();
     const std::size_t nearest = m_current->frameAt(time);
-    seek(nearest > 0 && m_current->timeOf(nearest) > time ? nearest - 1 : nearest);
+    seek(nearest > 0 && m_current->timeOf(nearest) >= time ? nearest - 1 : nearest);
     return true;
 }
 

@@ -62,7 +62,8 @@ public:
     double time() const; // s; where a new branch begins until it has frames of its own
     void seek(std::size_t frame);
     void seekTime(double time); // s
-    // The last frame of that run until then, s; false where that is not recorded.
+    // The last frame of that run before then, s, in which what breaks at that time is still whole;
+    // false where that is not recorded.
     bool seekRun(std::uint64_t run, double time);
     void move(std::ptrdiff_t frames);
     void backToLive();
