@@ -11,53 +11,66 @@
 namespace ripstop {
 namespace {
 
-// Of particles where nothing but links meet: along a line there are two of them, which pull alike,
-// and at a loose end there is one.
-struct LineNodes
+// The links that are left at a particle where nothing but links meet: along a line there are two,
+// which pull alike, and at a loose end one. None are told of pins and of corners of panels.
+struct LinksLeft
 {
-    std::vector<int> count;               // [particles] of links left; none at panels and of pins
-    std::vector<std::array<int, 2>> link; // [particles] the last two of these
+    int count = 0;
+    std::array<int, 2> link{}; // the last two
 
-    LineNodes(const System& system, const State& state);
+    LinksLeft(const System& system, const State& state, int particle);
 
-    bool isAlong(int particle) const { return count[std::size_t(particle)] == 2; }
-    bool isLooseEnd(int particle) const { return count[std::size_t(particle)] == 1; }
+    bool isAlong() const { return count == 2; }
+    bool isLooseEnd() const { return count == 1; }
 };
 
-LineNodes::LineNodes(const System& system, const State& state)
-    : count(state.position.size(), 0)
-    , link(state.position.size())
+// Calls back with each link that ends at a particle, torn or not.
+template <typename Visit> // visit(link), index into System::links
+void forEachLinkAt(const System& system, int particle, Visit visit)
 {
-    for (std::size_t i = 0; i < system.links.size(); ++i)
-        if (const LinkPlace& one = system.links[i]; !isTorn(one, state))
-            for (const int end : {one.a, one.b}) {
-                const auto p = std::size_t(end);
-                link[p] = {link[p][1], int(i)};
-                ++count[p];
-            }
-    for (std::size_t p = 0; p < system.panels.size(); ++p)
-        if (!state.panelGone[p])
-            for (const int corner : system.panels[p].corner)
-                count[std::size_t(corner)] = 0;
-    for (std::size_t p = 0; p < count.size(); ++p)
-        if (system.inverseMass[p] == 0.0)
-            count[p] = 0;
+    const auto p = std::size_t(particle);
+    const auto forEach = [&](const Rows& rows, const std::vector<int>& linkOf) {
+        for (int k = rows.start[p]; k < rows.start[p + 1]; ++k)
+            visit(linkOf[std::size_t(rows.items[std::size_t(k)])]);
+    };
+    forEach(system.springsAt, system.springLink);
+    forEach(system.rodsAt, system.rodLink);
+}
+
+bool isCornerOfFabric(const System& system, const State& state, int particle)
+{
+    const Rows& rows = system.panelsAt;
+    const auto p = std::size_t(particle);
+    return std::any_of(rows.items.begin() + rows.start[p], rows.items.begin() + rows.start[p + 1],
+                       [&](int panel) { return !state.panelGone[std::size_t(panel)]; });
+}
+
+LinksLeft::LinksLeft(const System& system, const State& state, int particle)
+{
+    if (system.inverseMass[std::size_t(particle)] == 0.0
+        || isCornerOfFabric(system, state, particle))
+        return;
+    forEachLinkAt(system, particle, [&](int one) {
+        if (isTorn(system.links[std::size_t(one)], state))
+            return;
+        link = {link[1], one};
+        ++count;
+    });
 }
 
 // Of the links of one line only the worst stays, of equals the first: when it has parted, the
 // others hold nothing.
-void leaveWorstOfLines(const System& system, const LineNodes& nodes,
-                       std::vector<Overload>& overloads)
+void leaveWorstOfLines(const System& system, const State& state, std::vector<Overload>& overloads)
 {
     JoinedSets lines(overloads.size());
-    std::vector<int> firstAt(nodes.count.size(), -1); // overload
+    std::vector<int> firstAt(state.position.size(), -1); // overload
     for (std::size_t i = 0; i < overloads.size(); ++i) {
         if (overloads[i].of != Overload::Of::Link)
             continue;
         const LinkPlace& link = system.links[std::size_t(overloads[i].element)];
         for (const int end : {link.a, link.b}) {
             int& first = firstAt[std::size_t(end)];
-            if (nodes.isAlong(end) && first >= 0)
+            if (first >= 0 && LinksLeft(system, state, end).isAlong())
                 lines.join(first, int(i));
             first = int(i);
         }
@@ -76,47 +89,58 @@ void leaveWorstOfLines(const System& system, const LineNodes& nodes,
     });
 }
 
-// The links that are left of a line from the end of one that has torn, as far as nothing else is
-// tied to it.
-std::vector<int> restOfLine(const System& system, const LineNodes& nodes, int end)
+// Where a line ends that goes on from a link over one of its ends, and how long a pull takes there.
+struct WayAlong
 {
-    std::vector<int> rest;
-    for (int at = end; rest.empty() ? nodes.isLooseEnd(at) : nodes.isAlong(at);) {
-        const auto [one, other] = nodes.link[std::size_t(at)];
-        const int next = rest.empty() || other != rest.back() ? other : one;
-        const LinkPlace& link = system.links[std::size_t(next)];
-        rest.push_back(next);
-        at = link.a == at ? link.b : link.a;
+    int last;        // particle
+    double crossing; // s, without the link itself
+};
+
+WayAlong wayAlong(const System& system, const State& state, int link, int end)
+{
+    WayAlong way{end, 0.0};
+    for (int at = link;;) {
+        const LinksLeft here(system, state, way.last);
+        const int next = here.link[0] == at ? here.link[1] : here.link[0];
+        if (!here.isAlong() || next == link) // or it is a ring
+            return way;
+        const LinkPlace& place = system.links[std::size_t(next)];
+        way.last = place.a == way.last ? place.b : place.a;
+        way.crossing += easingTime(system, place);
+        at = next;
     }
-    return rest;
+}
+
+// s, since a link has torn whose end a particle is; infinite where none has lately.
+double sinceTorn(const System& system, const State& state, int particle)
+{
+    constexpr double lately = 0.1; // s
+    double since = std::numeric_limits<double>::infinity();
+    forEachLinkAt(system, particle, [&](int link) {
+        const LinkPlace& place = system.links[std::size_t(link)];
+        if (!isTorn(place, state))
+            return;
+        for (auto tear = state.tears.rbegin();
+             tear != state.tears.rend() && state.time - tear->time < lately; ++tear)
+            if (tear->element == place.key)
+                since = std::min(since, state.time - tear->time);
+    });
+    return since;
 }
 
 // What is left of a line that has parted loses its load as a pull runs along it and back. Until
 // then its links may be above their limit, and get further above it by what they are tied to; they
 // hold nothing for long all the same.
-void leavePartedLines(const System& system, const State& state, const LineNodes& nodes,
-                      std::vector<Overload>& overloads)
+bool hasJustParted(const System& system, const State& state, int link)
 {
-    constexpr double longest = 0.1; // s, of which tears are looked at
-    for (auto tear = state.tears.rbegin(); tear != state.tears.rend(); ++tear) {
-        const double since = state.time - tear->time;
-        if (since > longest)
-            break;
-        const auto link = std::ranges::find(system.links, tear->element, &LinkPlace::key);
-        if (link == system.links.end() || !isTorn(*link, state))
-            continue;
-        for (const int end : {link->a, link->b}) {
-            const std::vector<int> rest = restOfLine(system, nodes, end);
-            double crossing = 0.0; // s
-            for (const int one : rest)
-                crossing += easingTime(system, system.links[std::size_t(one)]);
-            if (since < 2.0 * crossing)
-                std::erase_if(overloads, [&](const Overload& overload) {
-                    return overload.of == Overload::Of::Link
-                           && std::ranges::find(rest, overload.element) != rest.end();
-                });
-        }
-    }
+    const LinkPlace& place = system.links[std::size_t(link)];
+    const std::array ways{wayAlong(system, state, link, place.a),
+                          wayAlong(system, state, link, place.b)};
+    const double crossing = ways[0].crossing + easingTime(system, place) + ways[1].crossing;
+    return std::ranges::any_of(ways, [&](const WayAlong& way) {
+        return LinksLeft(system, state, way.last).isLooseEnd()
+               && sinceTorn(system, state, way.last) < 2.0 * crossing;
+    });
 }
 
 } // namespace
@@ -134,12 +158,13 @@ double easingTime(const System& system, const LinkPlace& link)
 
 void leaveOneOfLines(const System& system, const State& state, std::vector<Overload>& overloads)
 {
-    const auto links = std::ranges::count(overloads, Overload::Of::Link, &Overload::of);
-    if (links == 0 || (links == 1 && state.tears.empty()))
-        return;
-    const LineNodes nodes(system, state);
-    leavePartedLines(system, state, nodes, overloads);
-    leaveWorstOfLines(system, nodes, overloads);
+    if (!state.tears.empty())
+        std::erase_if(overloads, [&](const Overload& overload) {
+            return overload.of == Overload::Of::Link
+                   && hasJustParted(system, state, overload.element);
+        });
+    if (std::ranges::count(overloads, Overload::Of::Link, &Overload::of) > 1)
+        leaveWorstOfLines(system, state, overloads);
 }
 
 } // namespace ripstop
