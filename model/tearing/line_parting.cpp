@@ -111,21 +111,19 @@ WayAlong wayAlong(const System& system, const State& state, int link, int end)
     }
 }
 
-// s, since a link has torn whose end a particle is; infinite where none has lately.
-double sinceTorn(const System& system, const State& state, int particle)
+// Whether a link whose end a particle is has torn in the last so many seconds.
+bool hasTornAt(const System& system, const State& state, int particle, double seconds)
 {
-    constexpr double lately = 0.1; // s
-    double since = std::numeric_limits<double>::infinity();
+    bool hasTorn = false;
     forEachLinkAt(system, particle, [&](int link) {
         const LinkPlace& place = system.links[std::size_t(link)];
         if (!isTorn(place, state))
             return;
         for (auto tear = state.tears.rbegin();
-             tear != state.tears.rend() && state.time - tear->time < lately; ++tear)
-            if (tear->element == place.key)
-                since = std::min(since, state.time - tear->time);
+             tear != state.tears.rend() && state.time - tear->time < seconds; ++tear)
+            hasTorn |= tear->element == place.key;
     });
-    return since;
+    return hasTorn;
 }
 
 // What is left of a line that has parted loses its load as a pull runs along it and back. Until
@@ -139,7 +137,7 @@ bool hasJustParted(const System& system, const State& state, int link)
     const double crossing = ways[0].crossing + easingTime(system, place) + ways[1].crossing;
     return std::ranges::any_of(ways, [&](const WayAlong& way) {
         return LinksLeft(system, state, way.last).isLooseEnd()
-               && sinceTorn(system, state, way.last) < 2.0 * crossing;
+               && hasTornAt(system, state, way.last, 2.0 * crossing);
     });
 }
 
