@@ -213,7 +213,7 @@ void ElasticPanels::startFour(const System& system, std::span<const std::uint8_t
         const int lane = int(k);
         panel.gone = gone[std::size_t(membrane.panel)] != 0;
         four.weight[lane] = panel.gone ? 0.0 : past.reach * past.reach * membrane.area;
-        const ClothLaw law = lawOf(system, membrane);
+        const PieceLaw law = lawOf(system, membrane);
         if (panel.gone)
             four.law.clear(lane);
         else
@@ -245,6 +245,7 @@ void ElasticPanels::startFour(const System& system, std::span<const std::uint8_t
                 (4.0 * last.z - back.z) / 3.0};
     }
     four.offset = {share * last.x, share * last.y, share * last.z};
+    four.law.bucklingLoad *= 1.0 - share; // in all, with the weight: folds are not damped
 }
 
 double ElasticPanels::energy() const
@@ -317,7 +318,7 @@ ElasticPanels::Account ElasticPanels::account() const
 
 double ElasticPanels::softness(const System& system, const ElasticPanel& panel, double h) const
 {
-    const ClothLaw law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
+    const PieceLaw law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
     const double stiffness = std::max(law.warp, law.weft); // N/m
     return stiffness > 0.0 ? 1.0 / (stiffness * h * h) : 0.0;
 }

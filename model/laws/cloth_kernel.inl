@@ -221,16 +221,36 @@ RIPSTOP_INLINE void addWrinkled(const ClothLawPack& law, const Coordinates& stra
     put(now.energy, all(0.5) * along * r, all(0.5) * along * r);
 }
 
+// What is below the tension of buckled cloth counts from there.
+RIPSTOP_INLINE Coordinates buckled(const ClothLawPack& law, const Coordinates& tension)
+{
+    return {tension.x + law.bucklingLoad, tension.y + law.bucklingLoad, tension.z};
+}
+
+// Fills in the lanes of cloth that is not taut. With n = N (1, 1, 0) and its strain c = C^-1 n,
+// what is to be least, Q(e + P) + n . P, is Q(e + c + P) - n . e - n . c / 2.
+RIPSTOP_INLINE void addBuckled(const ClothLawPack& law, const Coordinates& strain, Mask where,
+                               ClothTensionPack& now)
+{
+    const Pack load = law.bucklingLoad;
+    const Coordinates more = strainOf(law, {load, load, Pack{}});
+    addWrinkled(law, strain + more, where, now);
+    now.tension.x = where ? now.tension.x - load : now.tension.x;
+    now.tension.y = where ? now.tension.y - load : now.tension.y;
+    const Pack taken = load * (strain.x + strain.y + all(0.5) * (more.x + more.y));
+    now.energy = where ? now.energy - taken : now.energy;
+}
+
 RIPSTOP_INLINE ClothTensionPack tensionOf(const ClothLawPack& law, const Coordinates& strain)
 {
     ClothTensionPack now;
     now.tension = tautTension(law, strain);
-    now.isTaut = (law.pushes != 0) | pushesNowhere(now.tension);
+    now.isTaut = (law.pushes != 0) | pushesNowhere(buckled(law, now.tension));
     now.isWrinkled = Mask{};
     now.stiffness = {law.warp, law.weft, law.shear, law.coupling, Pack{}, Pack{}};
     now.energy = all(0.5) * product(now.tension, strain);
     if (any(~now.isTaut))
-        addWrinkled(law, strain, ~now.isTaut, now);
+        addBuckled(law, strain, ~now.isTaut, now);
     return now;
 }
 

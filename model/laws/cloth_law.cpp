@@ -5,6 +5,7 @@
 #include "laws/cloth_pack.h"
 
 #include <cmath>
+#include <numbers>
 
 #define RIPSTOP_KERNEL "laws/cloth_lanes_kernel.inl"
 #include "parallel/for_each_machine.inl"
@@ -43,7 +44,13 @@ ClothTension ClothTensionPack::of(int lane) const
     return one;
 }
 
-ClothTension tensionOf(const ClothLaw& law, const Vec3& strain)
+double bucklingLoadOf(double bendingStiffness, double length)
+{
+    constexpr double square = std::numbers::pi * std::numbers::pi;
+    return square * bendingStiffness / (length * length);
+}
+
+ClothTension tensionOf(const PieceLaw& law, const Vec3& strain)
 {
     ClothLawPack laws;
     Coordinates strains;
@@ -56,20 +63,12 @@ ClothTension tensionOf(const ClothLaw& law, const Vec3& strain)
     return now.of(0);
 }
 
-Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now)
+Vec3 threadStrain(const PieceLaw& law, const Vec3& strain, const ClothTension& now)
 {
-    switch (now.state) {
-    case ClothState::Slack:
-        return Vec3::Zero();
-    case ClothState::Wrinkled:
-        return strainOf(law, now.tension);
-    case ClothState::Taut:
-        break;
-    }
-    return strain;
+    return now.state == ClothState::Taut ? strain : strainOf(law, now.tension);
 }
 
-Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
+Vec3 pullingStrain(const PieceLaw& law, const Vec3& strain)
 {
     return threadStrain(law, strain, tensionOf(law, strain));
 }

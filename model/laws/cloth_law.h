@@ -20,6 +20,16 @@
 //
 // is greatest; a slack one not at all. The energy is convex and has one derivative everywhere, so
 // that a Newton method with a line search finds its way.
+//
+// Wrinkles cost bending. A piece of a mesh has none shorter than itself, and where folds of its own
+// size are what cloth of the flexural rigidity B buckles into, that takes a push of Euler's
+//
+//     N = pi^2 B / l^2,
+//
+// l being the length of the piece. The relaxed energy counts N (P1 + P2) for what wrinkles take up:
+// it is the one above at the strain e + N (1, 1, 0) C^-1, and the tension is that one less N in
+// each direction. Folds longer than a piece are the mesh's own. So where l is short for the
+// cloth, pieces push and the mesh folds, and where it is long, N is next to nothing.
 #pragma once
 
 #include "base/choice_names.h"
@@ -57,6 +67,22 @@ struct ClothLaw
     friend bool operator==(const ClothLaw&, const ClothLaw&) = default;
 };
 
+// That of a piece of cloth in a mesh.
+struct PieceLaw : ClothLaw
+{
+    double bucklingLoad = 0.0; // N/m, N above
+
+    PieceLaw(const ClothLaw& law, double load = 0.0)
+        : ClothLaw(law)
+        , bucklingLoad(load)
+    {}
+};
+
+// N/m, N above.
+//   bendingStiffness  N m, B
+//   length            m
+double bucklingLoadOf(double bendingStiffness, double length);
+
 enum class ClothState { Slack, Wrinkled, Taut };
 
 // At some strain.
@@ -69,12 +95,12 @@ struct ClothTension
 };
 
 // The law at a strain; `strain` as above: e1, e2 and g.
-ClothTension tensionOf(const ClothLaw& law, const Vec3& strain);
+ClothTension tensionOf(const PieceLaw& law, const Vec3& strain);
 
 // What of a strain the threads have; wrinkles take up the rest. The first is for a strain at which
 // the law is known.
-Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now);
-Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain);
+Vec3 threadStrain(const PieceLaw& law, const Vec3& strain, const ClothTension& now);
+Vec3 pullingStrain(const PieceLaw& law, const Vec3& strain);
 
 // The strain that threads have where the tension is this one; what wrinkles take up is not in it.
 Vec3 strainOf(const ClothLaw& law, const Vec3& tension);

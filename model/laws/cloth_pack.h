@@ -19,8 +19,9 @@ struct ClothLawPack
     Pack alongWeft{};
     Pack across{};
     Pack ofShear{};
+    Pack bucklingLoad{}; // N/m, as in PieceLaw
 
-    void set(int lane, const ClothLaw& law)
+    void set(int lane, const PieceLaw& law)
     {
         const double inverse = 1.0 / (law.warp * law.weft - law.coupling * law.coupling);
         warp[lane] = law.warp;
@@ -32,6 +33,7 @@ struct ClothLawPack
         alongWeft[lane] = law.warp * inverse;
         across[lane] = -law.coupling * inverse;
         ofShear[lane] = 1.0 / law.shear;
+        bucklingLoad[lane] = law.bucklingLoad;
     }
 
     // Nothing is there: it has no tension, and a compliance that does no harm.
@@ -40,7 +42,7 @@ struct ClothLawPack
         warp[lane] = weft[lane] = coupling[lane] = shear[lane] = 0.0;
         pushes[lane] = -1;
         alongWarp[lane] = alongWeft[lane] = ofShear[lane] = 1.0;
-        across[lane] = 0.0;
+        across[lane] = bucklingLoad[lane] = 0.0;
     }
 };
 

@@ -255,7 +255,7 @@ void judgePanels(const System& system, JudgedPlaces& judged)
     std::size_t count = 0;
     for (int i = 0; i < int(system.membranes.size()); ++i) {
         const Membrane& membrane = system.membranes[std::size_t(i)];
-        const ClothLaw law = lawOf(system, membrane);
+        const PieceLaw law = lawOf(system, membrane);
         const auto cloth = std::size_t(system.panels[std::size_t(membrane.panel)].air);
         Strength strength = system.strength.empty() ? Strength() : system.strength[cloth];
         if (const FabricTear& tear = system.clothTear[cloth]; tear.rule == TearRule::Tension) {

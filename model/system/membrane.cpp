@@ -32,9 +32,14 @@ std::size_t materialOf(const System& system, const Membrane& membrane)
 
 double stretchOf(double strain) { return std::sqrt(std::max(1.0 + 2.0 * strain, 0.0)); }
 
-ClothLaw lawOf(const System& system, const Membrane& membrane)
+PieceLaw lawOf(const System& system, const Membrane& membrane)
 {
-    return system.cloth[materialOf(system, membrane)].times(membrane.factors.stiffness);
+    const std::size_t material = materialOf(system, membrane);
+    PieceLaw law = system.cloth[material].times(membrane.factors.stiffness);
+    if (!system.bending.empty())
+        law.bucklingLoad =
+            bucklingLoadOf(system.bending[material].fabric, std::sqrt(2.0 * membrane.area));
+    return law;
 }
 
 FabricTear tearOf(const System& system, const Membrane& membrane)
@@ -69,7 +74,7 @@ double longerBy(const Vec3& threads)
 
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
 {
-    const ClothLaw law = lawOf(system, membrane);
+    const PieceLaw law = lawOf(system, membrane);
     return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
 }
 
@@ -92,7 +97,7 @@ Corners pullsOf(const Membrane& membrane, const Corners& corners, const Vec3& te
 
 // What the law makes of the way that the threads of a panel have stretched, with the dampers of
 // what they shrank; nothing where there is no damping.
-ClothTension tensionOfWay(const ClothLaw& law, const Membrane& membrane, const Corners& from,
+ClothTension tensionOfWay(const PieceLaw& law, const Membrane& membrane, const Corners& from,
                           const Corners& to)
 {
     if (!law.isElastic() || law.dampingTime == 0.0)
@@ -114,14 +119,14 @@ Corners pullsOnCorners(const System& system, const Membrane& membrane, const Cor
 Corners dampingPulls(const System& system, const Membrane& membrane, const Corners& from,
                      const Corners& to, double h)
 {
-    const ClothLaw law = lawOf(system, membrane);
+    const PieceLaw law = lawOf(system, membrane);
     return pullsOf(membrane, to,
                    law.dampingTime / h * tensionOfWay(law, membrane, from, to).tension);
 }
 
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
 {
-    const ClothLaw law = lawOf(system, membrane);
+    const PieceLaw law = lawOf(system, membrane);
     if (!law.isElastic())
         return {};
     const Vec3 strain = strainAt(membrane, corners);
@@ -147,14 +152,14 @@ double largestStrain(const Vec3& strain)
 
 double threadElongation(const System& system, const Membrane& membrane, const Corners& corners)
 {
-    const ClothLaw law = lawOf(system, membrane);
+    const PieceLaw law = lawOf(system, membrane);
     return law.isElastic() ? longerBy(pullingStrain(law, strainAt(membrane, corners))) : 0.0;
 }
 
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,
               const Corners& to, double h)
 {
-    const ClothLaw law = lawOf(system, membrane);
+    const PieceLaw law = lawOf(system, membrane);
     return membrane.area * law.dampingTime / h * 2.0 * tensionOfWay(law, membrane, from, to).energy;
 }
 

@@ -29,7 +29,7 @@ const Membrane* membraneOf(const System& system, int panel)
 bool mayTear(const System& system, const State& state, const Membrane& membrane)
 {
     const FabricTear tear = tearOf(system, membrane);
-    const ClothLaw law = lawOf(system, membrane);
+    const PieceLaw law = lawOf(system, membrane);
     if (tear.rule == TearRule::Never || !law.isElastic())
         return false;
     const ClothBound bound(law);

@@ -203,7 +203,7 @@ double faded(double hold, double timeStep, double easing)
 
 double easingTime(const System& system, const Membrane& membrane)
 {
-    const ClothLaw law = lawOf(system, membrane);
+    const PieceLaw law = lawOf(system, membrane);
     double mass = 0.0;
     for (const int corner : system.panels[std::size_t(membrane.panel)].corner)
         mass += system.mass[std::size_t(corner)];

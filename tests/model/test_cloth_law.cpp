@@ -42,10 +42,15 @@ std::vector<Vec3> someStrains(int count)
     return strains;
 }
 
-std::vector<ClothLaw> someLaws()
+std::vector<PieceLaw> someLaws()
 {
-    return {clothA, ClothLaw::of(40e3, 40e3, 0.3, 40e3 / 2.6), ClothLaw::of(30e3, 30e3, 0.1, 100.0),
-            ClothLaw::of(500e3, 100e3, 0.4, 40e3)};
+    const ClothLaw isotropic = ClothLaw::of(40e3, 40e3, 0.3, 40e3 / 2.6);
+    return {clothA,
+            isotropic,
+            ClothLaw::of(30e3, 30e3, 0.1, 100.0),
+            ClothLaw::of(500e3, 100e3, 0.4, 40e3),
+            PieceLaw(clothA, 3.0),
+            PieceLaw(isotropic, 200.0)};
 }
 
 } // namespace
@@ -56,10 +61,11 @@ class TestClothLaw : public QObject
 
 private slots:
     // Nothing that is passed over by its bound could have torn; and the bound is of use: of cloth
-    // pulled along its stiffer threads it is at most twice what these pull.
+    // pulled along its stiffer threads, by far more than it buckles under, it is at most twice what
+    // these pull.
     void noThreadIsBeyondItsBound()
     {
-        for (const ClothLaw& law : someLaws()) {
+        for (const PieceLaw& law : someLaws()) {
             const ClothBound bound(law);
             for (const Vec3& strain : someStrains(2000)) {
                 const double e = largestStrain(strain);
@@ -71,7 +77,8 @@ private slots:
                             <= bound.pullAt(e) * (1.0 + 1e-12));
                 }
             }
-            QVERIFY(bound.pullAt(1e-3) < 2.0 * tensionOf(law, Vec3(1e-3, 0.0, 0.0)).tension[0]);
+            const double e = 1e-3 + 10.0 * law.bucklingLoad / law.warp;
+            QVERIFY(bound.pullAt(e) < 2.0 * tensionOf(law, Vec3(e, 0.0, 0.0)).tension[0]);
         }
     }
 
@@ -115,7 +122,7 @@ private slots:
 
     void isDerivativeOfEnergy()
     {
-        for (const ClothLaw& law : someLaws())
+        for (const PieceLaw& law : someLaws())
             for (const Vec3& strain : someStrains(300)) {
                 const ClothTension now = tensionOf(law, strain);
                 constexpr double step = 1e-8;
@@ -135,16 +142,17 @@ private slots:
             }
     }
 
-    // Least energy over what wrinkles take up, P: P >= 0, s >= 0 and P : s = 0 are necessary and,
-    // the energy being convex, enough (Karush, Kuhn and Tucker).
+    // Least energy over what wrinkles take up, P: P >= 0, s + N >= 0 and P : (s + N) = 0 are
+    // necessary and, the energy being convex, enough (Karush, Kuhn and Tucker).
     void isTheLeastEnergy()
     {
         int wrinkled = 0;
-        for (const ClothLaw& law : someLaws())
+        for (const PieceLaw& law : someLaws())
             for (const Vec3& strain : someStrains(2000)) {
                 const ClothTension now = tensionOf(law, strain);
                 const Vec3 taken = strainOf(law, now.tension) - strain;
-                const Eigen::Matrix2d pull = matrixOf(now.tension, 1.0);
+                const Eigen::Matrix2d pull =
+                    matrixOf(now.tension, 1.0) + law.bucklingLoad * Eigen::Matrix2d::Identity();
                 const Eigen::Matrix2d wrinkles = matrixOf(taken, 0.5);
                 const auto least = [](const Eigen::Matrix2d& m) {
                     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(m).eigenvalues()[0];
@@ -161,13 +169,33 @@ private slots:
         QVERIFY(wrinkled > 1000);
     }
 
-    void slackPullsNowhere()
+    void slackPushesAsItBuckles()
     {
-        for (const ClothLaw& law : someLaws()) {
+        for (const PieceLaw& law : someLaws()) {
             const ClothTension slack = tensionOf(law, {-0.01, -0.02, 0.001});
             QVERIFY(slack.state == ClothState::Slack);
-            QVERIFY(slack.tension.isZero(0.0) && slack.energy == 0.0);
+            const Vec3 push(-law.bucklingLoad, -law.bucklingLoad, 0.0);
+            QVERIFY2((slack.tension - push).norm() <= 1e-12 * law.warp, told(slack.tension, push));
+            // What folds take up costs the push all along the way, and what comes before half.
+            const double energy = push.dot(Vec3(-0.01, -0.02, 0.0) - 0.5 * strainOf(law, push));
+            QVERIFY2(isNear(slack.energy, energy, 1e-12 * law.warp), told(slack.energy, energy));
         }
+    }
+
+    // Euler's load of a strip of the flexural rigidity B = E I per width between two hinges.
+    void foldsAsEulersColumn()
+    {
+        const double rigidity = 2e-5, length = 0.01; // N m, m
+        const double load = bucklingLoadOf(rigidity, length);
+        QVERIFY2(isNear(load, 1.9739, 1e-4), told(load, 1.9739));
+        const PieceLaw law(ClothLaw::of(40e3, 40e3, 0.0, 1e3), load);
+        const ClothTension less = tensionOf(law, {-0.9 * load / 40e3, 0.0, 0.0});
+        QVERIFY(less.state == ClothState::Taut);
+        QVERIFY2(isNear(less.tension[0], -0.9 * load, 1e-9), told(less.tension[0], -0.9 * load));
+        const ClothTension more = tensionOf(law, {-0.1, 0.0, 0.0});
+        QVERIFY(more.state == ClothState::Wrinkled);
+        QVERIFY2(isNear(more.tension[0], -load, 1e-9), told(more.tension[0], -load));
+        QVERIFY2(isNear(more.tension[1], 0.0, 1e-9), told(more.tension[1], 0.0));
     }
 
     // Pure shear of an isotropic panel, wrinkled: the pull is E t g / 2 along the diagonal (Wagner
@@ -183,7 +211,7 @@ private slots:
     // What is beside a piece of cloth, taut, wrinkled or slack, changes no bit of it.
     void lanesAreApart()
     {
-        const std::vector<ClothLaw> laws = someLaws();
+        const std::vector<PieceLaw> laws = someLaws();
         const std::vector<Vec3> strains = someStrains(401);
         std::array<int, 3> seen{};
         for (std::size_t i = 0; i + 4 <= strains.size(); ++i) {
