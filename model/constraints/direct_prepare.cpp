@@ -17,13 +17,14 @@ namespace ripstop {
 namespace {
 
 // Products of blocks for each node that take as long as an iteration; above which a few iterations
-// cost less than a factorisation, and above which any number does (measured on sheets of 16, 64 and
-// 100 particles a side); and the nodes of blocks that are factorised in any case. A few iterations
-// are enough for threads at rest. Panels fold, and rods without compliance are harder than their
-// coarser networks can tell, so that canopies and kites of 500 to 5 000 particles fly up to twice
-// as fast when they are factorised.
+// cost less than a factorisation, of threads and where there are panels, and above which any number
+// does (measured on sheets of 16, 32, 64 and 100 particles a side); and the nodes of blocks that
+// are factorised in any case. A few iterations are enough for cloth, but where it folds. Rods
+// without compliance are harder than their coarser networks can tell, so that canopies and kites of
+// 500 to 5 000 particles fly up to twice as fast when they are factorised.
 constexpr double productsOfIteration = 17.0;
-constexpr double manyProducts = 100.0;
+constexpr double manyOfThreads = 100.0;
+constexpr double manyOfPanels = 250.0;
 constexpr double tooManyProducts = 700.0;
 constexpr std::size_t fewNodes = 300;
 
@@ -43,8 +44,10 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Trip
     takeBars(system, row);
     auto pairs = numberPairs();
     const double products = BlockCholesky::countProducts(nodes(), pairs);
-    m_isOfThreads = isOfThreads(system);
-    const double most = m_isOfThreads ? manyProducts : tooManyProducts;
+    m_isElastic = isElastic(system);
+    const double most = !m_isElastic       ? tooManyProducts
+                        : m_panels.empty() ? manyOfThreads
+                                           : manyOfPanels;
     m_hasGrid = nodes() > fewNodes && products > most * double(nodes());
     m_hasFactor = !m_hasGrid || products < tooManyProducts * double(nodes());
     m_worthIterating = m_hasGrid ? int(products / (productsOfIteration * double(nodes()))) : 0;
@@ -154,12 +157,10 @@ void DirectSolver::takeBars(const System& system, std::span<const std::uint32_t>
     }
 }
 
-// Whether nothing but rods with compliance is solved here.
-bool DirectSolver::isOfThreads(const System& system) const
+bool DirectSolver::isElastic(const System& system) const
 {
-    return m_panels.empty() && std::ranges::all_of(m_bars, [&](const Bar& bar) {
-               return system.rods[std::size_t(bar.rod)].compliance > 0.0;
-           });
+    return std::ranges::all_of(
+        m_bars, [&](const Bar& bar) { return system.rods[std::size_t(bar.rod)].compliance > 0.0; });
 }
 
 // Numbers the bars and sides of triples between two nodes and returns their ends.
@@ -208,7 +209,7 @@ void DirectSolver::takeGuides(const System& system)
 
 void DirectSolver::refresh(const System& system)
 {
-    if (hasSamePins(system) && m_isOfThreads == isOfThreads(system)
+    if (hasSamePins(system) && m_isElastic == isElastic(system)
         && (!m_takesTriples
             || (m_bends.areOf(system) && m_fabricBends.areOf(system) && m_panels.areOf(system))))
         takeValues(system);

@@ -33,12 +33,12 @@
 // Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. Chains, small
 // frames and craft of up to some thousand particles are factorised (block_cholesky.h), which costs
 // n for chains and n^1.5 for sheets; larger ones, and sheets of threads from some hundred particles
-// on, are iterated with coarser networks in a time that grows like n (multigrid.h), as far as the
-// pulls need it. Where cloth folds at each of its cells coarser networks tell little of it, and
-// iterations are many: sheets of up to some thousand particles are then factorised for the rest of
-// the substep. Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h
-// of its energy per second, for waves on tight lines all of it at once. Explicit forces beside it,
-// air above all, keep their own limit of the step.
+// on and of panels from a thousand on, are iterated with coarser networks in a time that grows like
+// n (multigrid.h), as far as the pulls need it. Where cloth folds at each of its cells coarser
+// networks tell little of it, and iterations are many: sheets of up to some thousand particles are
+// then factorised for the rest of the substep. Implicit Euler damps what swings fast: a motion x''
+// = -w^2 x loses the share w^2 h of its energy per second, for waves on tight lines all of it at
+// once. Explicit forces beside it, air above all, keep their own limit of the step.
 #pragma once
 
 #include "constraints/bar.h"
@@ -132,7 +132,7 @@ private:
     std::vector<std::pair<int, int>> numberPairs();
     std::vector<std::pair<int, int>> prepareGrid(const System& system,
                                                  std::vector<std::uint32_t>& row);
-    bool isOfThreads(const System& system) const;
+    bool isElastic(const System& system) const; // all rods have compliance
     bool hasSamePins(const System& system) const;
     void takeGuides(const System& system);
     void shareOutStripes();
@@ -200,15 +200,15 @@ private:
     void moveAlongGuides();
     void moveAlongGuide(std::size_t row, Row& move) const;
 
-    std::vector<int> m_rods;    // as given to prepare()
-    double m_h = 0.0;           // s, for which softness is right
-    double m_accuracy = 0.01;   // 1, System::accuracy
-    double m_pulls = 0.0;       // kg m^2, the sum of energyOfPull()
-    double m_leastPulls = 0.0;  // kg m^2, what errors are compared with where pulls are less
-    double m_loads = 0.0;       // kg m^2, twice the energy of what loads would move in the substep
-    double m_left = 0.0;        // sqrt(kg) m, the root of the energy of what iterations have left
-    double m_residual = 0.0;    // 1
-    bool m_isOfThreads = false; // when it was prepared
+    std::vector<int> m_rods;   // as given to prepare()
+    double m_h = 0.0;          // s, for which softness is right
+    double m_accuracy = 0.01;  // 1, System::accuracy
+    double m_pulls = 0.0;      // kg m^2, the sum of energyOfPull()
+    double m_leastPulls = 0.0; // kg m^2, what errors are compared with where pulls are less
+    double m_loads = 0.0;      // kg m^2, twice the energy of what loads would move in the substep
+    double m_left = 0.0;       // sqrt(kg) m, the root of the energy of what iterations have left
+    double m_residual = 0.0;   // 1
+    bool m_isElastic = false;  // when it was prepared
     bool m_hasGrid = false;
     bool m_hasFactor = true;
     int m_worthIterating = 0; // iterations that cost less than a factorisation

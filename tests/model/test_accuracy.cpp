@@ -262,7 +262,7 @@ private slots:
         };
         QVERIFY(flown({"--json"}).json()["large_strain"].isNull());
 
-        const QStringList soft{"--set", "cloth.membraneStiffness=20"};
+        const QStringList soft{"--set", "cloth.membraneStiffness=40"};
         const QJsonObject large =
             flown(soft + QStringList{"--json"}).json()["large_strain"].toObject();
         const double strain = large["strain"].toDouble();

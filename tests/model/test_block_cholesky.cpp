@@ -66,7 +66,7 @@ private slots:
     // Threads share the columns, and whoever takes one gathers it in the same order.
     void sameBitsAtAnyNumberOfThreads()
     {
-        const int side = 40;
+        const int side = 100;
         std::vector<std::pair<int, int>> pairs; // of a net with one diagonal
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column)
