@@ -21,15 +21,16 @@
 // is greatest; a slack one not at all. The energy is convex and has one derivative everywhere, so
 // that a Newton method with a line search finds its way.
 //
-// Wrinkles cost bending. A piece of a mesh has none shorter than itself, and where folds of its own
-// size are what cloth of the flexural rigidity B buckles into, that takes a push of Euler's
+// To wrinkle, cloth has to bend. What wrinkles within a piece of a mesh are folds no longer than
+// the piece; longer ones are the mesh's own. The longest give way first, at Euler's load of a strip
+// of the flexural rigidity B between hinges as far apart as the piece is long,
 //
-//     N = pi^2 B / l^2,
+//     N = pi^2 B / l^2.
 //
-// l being the length of the piece. The relaxed energy counts N (P1 + P2) for what wrinkles take up:
-// it is the one above at the strain e + N (1, 1, 0) C^-1, and the tension is that one less N in
-// each direction. Folds longer than a piece are the mesh's own. So where l is short for the
-// cloth, pieces push and the mesh folds, and where it is long, N is next to nothing.
+// The relaxed energy counts N (P1 + P2) for what wrinkles take up: it is the one above at the
+// strain e + C^-1 (N, N, 0) but for what is linear in e, and the tension is that one less N in each
+// direction. Where pieces are short they push and the mesh folds; where they are long N is next to
+// nothing.
 #pragma once
 
 #include "base/choice_names.h"

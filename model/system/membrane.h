@@ -31,7 +31,8 @@ inline Vec3 strainOf(const ClothAxes& axes) // as ClothLaw has it
 // d(warp, weft) of the barycentric coordinate of a corner, 1/m.
 std::array<double, 2> gradient(const Membrane& membrane, int corner);
 
-// That of its material, as stiff as this panel is of it, and as long as a square of two of it.
+// That of its material, as stiff as this panel is of it, for a piece as long as a square of twice
+// its area is.
 PieceLaw lawOf(const System& system, const Membrane& membrane);
 
 // At what it tears, likewise.
