@@ -64,6 +64,17 @@ double pullAlongMost(const Vec3& tension, const Vec3& threads)
     return stretchOf(along) * largestTension(tension);
 }
 
+// How a piece lies as people see it: cloth that pushes, if only as far as it would take to fold a
+// piece so short, has folds or is about to.
+ClothState lieOf(const PieceLaw& law, const Vec3& tension)
+{
+    if (law.pushes
+        || (tension[0] >= 0.0 && tension[1] >= 0.0
+            && tension[0] * tension[1] >= tension[2] * tension[2]))
+        return ClothState::Taut;
+    return largestTension(tension) > 0.0 ? ClothState::Wrinkled : ClothState::Slack;
+}
+
 // 1, the larger of warp and weft, of threads of this strain of Green's.
 double longerBy(const Vec3& threads)
 {
@@ -134,7 +145,7 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
     const Vec3 threads = threadStrain(law, strain, now);
     const double warp = stretchOf(threads[0]), weft = stretchOf(threads[1]);
     return {true,
-            now.state,
+            law.bucklingLoad > 0.0 ? lieOf(law, now.tension) : now.state,
             longerBy(threads),
             pullAlongMost(now.tension, threads),
             warp * now.tension[0],
