@@ -23,6 +23,7 @@ constexpr Parameter parameters[]{
     {"reach",  "",    2,     0.2, 4,      false, "Overhang of a strip over its bending length; with 2 strips come to 41.5 degrees.", "Test"},
     {"gap",    "m",   0.012, 0.001, 1,    false, "Between strips, with a ramp in it."},
     {"angle",  "deg", 41.5,  0, 80,       false, "Of the ramps, below level."},
+    {"panels", "",    0,     0, 1,        true,  "1 has panels carry the pull, with the stretch that was measured; with 0 threads do, which never stretch.", "Fabric", {}, 1},
 };
 // clang-format on
 
@@ -38,14 +39,18 @@ double numberOf(const Preset& preset, const Property& property)
     return number ? std::get<double>(number->value) : 0.0;
 }
 
-// The fabric's weight and bending; threads do not stretch, and shear little.
-Material fabricOf(const Preset& preset, const char* color)
+// The fabric's weight and bending, and of panels its stretch.
+Material fabricOf(const Preset& preset, const char* color, bool byPanels)
 {
     Material material;
     material.name = preset.name;
     material.color = color;
     material.arealDensity = numberOf(preset, propertyOf<&Material::arealDensity>());
     material.bendingStiffness = numberOf(preset, propertyOf<&Material::bendingStiffness>());
+    if (byPanels) {
+        material.membraneStiffness = numberOf(preset, propertyOf<&Material::membraneStiffness>());
+        material.dampingTime = numberOf(preset, propertyOf<&Material::dampingTime>());
+    }
     return material;
 }
 
@@ -66,6 +71,19 @@ public:
             }
     }
 
+    void cover(Network& network, Id fabric) const
+    {
+        for (int i = -1; i < m_cells; ++i)
+            for (int j = 0; j < m_across; ++j) {
+                const Id a = at(i, j), b = at(i + 1, j);
+                const Id c = at(i, j + 1), d = at(i + 1, j + 1);
+                const bool rising = (i + j) % 2 == 0;
+                network.panel(a, b, rising ? d : c, fabric);
+                network.panel(rising ? a : b, d, c, fabric);
+            }
+    }
+
+    // Threads along and across, which do not stretch, and what shears little.
     void weave(Network& network, Id fabric, Id bias) const
     {
         for (int i = -1; i <= m_cells; ++i)
@@ -74,8 +92,10 @@ public:
                     network.rod(at(i, j), at(i + 1, j), fabric);
                 if (j < m_across)
                     network.rod(at(i, j), at(i, j + 1), fabric);
-                if (i < m_cells && j < m_across)
-                    cover(network, i, j, fabric, bias);
+                if (i == m_cells || j == m_across)
+                    continue;
+                network.spring(at(i, j), at(i + 1, j + 1), bias);
+                network.spring(at(i + 1, j), at(i, j + 1), bias);
             }
     }
 
@@ -86,22 +106,20 @@ public:
 private:
     Id at(int i, int j) const { return m_nodes[std::size_t((i + 1) * (m_across + 1) + j)]; }
 
-    void cover(Network& network, int i, int j, Id fabric, Id bias) const
-    {
-        const Id a = at(i, j), b = at(i + 1, j);
-        const Id c = at(i, j + 1), d = at(i + 1, j + 1);
-        network.spring(a, d, bias);
-        network.spring(b, c, bias);
-        const bool rising = (i + j) % 2 == 0;
-        network.panel(a, b, rising ? d : c, fabric);
-        network.panel(rising ? a : b, d, c, fabric);
-    }
-
     int m_cells;
     int m_across;
     double m_cell; // m
     std::vector<Id> m_nodes;
 };
+
+Id addBias(Scene& scene)
+{
+    Material bias;
+    bias.name = "bias";
+    bias.stiffness = 2.0;
+    bias.shown = false;
+    return addItem(scene, bias);
+}
 
 void addBox(Scene& scene, std::string name, const Vec3& position, const Vec3& size, double angle)
 {
@@ -132,11 +150,8 @@ Result<Scene> buildBendingTest(const Parameters& p)
     scene.settings.title = "Bending test";
     scene.settings.viscosity = 3.0; // as the air between strips and table would
     addGround(scene);
-    Material bias;
-    bias.name = "bias";
-    bias.stiffness = 2.0;
-    bias.shown = false;
-    const Id shear = addItem(scene, bias);
+    const bool byPanels = p.at("panels") > 0.0;
+    const Id bias = byPanels ? Id() : addBias(scene);
 
     Network network(scene, "strips");
     struct Tip
@@ -151,12 +166,14 @@ Result<Scene> buildBendingTest(const Parameters& p)
     double longest = 0.0;
     std::vector<double> ramps;
     for (std::size_t i = 0; i < std::size(fabrics); ++i) {
-        const Material fabric = fabricOf(**findPreset(fabrics[i]), colors[i]);
+        const Material fabric = fabricOf(**findPreset(fabrics[i]), colors[i], byPanels);
         const double weight = *fabric.arealDensity * scene.settings.gravity.norm(); // N/m^2
         const double overhang = p.at("reach") * std::cbrt(fabric.bendingStiffness / weight);
         const Id material = addItem(scene, fabric);
         const Strip strip(network, p, overhang, z + gap);
-        strip.weave(network, material, shear);
+        strip.cover(network, material);
+        if (!byPanels)
+            strip.weave(network, material, bias);
         tips.push_back({fabric.name, strip.tip(), strip.edge()});
         ramps.push_back(z);
         z += gap + strip.width();
@@ -169,12 +186,15 @@ Result<Scene> buildBendingTest(const Parameters& p)
     for (std::size_t i = 0; i < ramps.size(); ++i)
         addRamp(scene, int(i) + 1, p.at("angle"), longest, ramps[i] + 0.25 * gap, 0.5 * gap);
 
+    if (byPanels)
+        network.carryByPanels([](const Vec3&) { return Vec3::UnitX(); });
     (void)network.finish("bending_test", p);
     (void)apply(scene, weighing(scene));
     for (const Tip& tip : tips)
         addProbe(scene, tip.name + " slope", Quantity::Elevation, tip.tip, tip.edge);
 
-    takeShortSubsteps(scene);
+    if (!byPanels)
+        takeShortSubsteps(scene);
     return scene;
 }
 

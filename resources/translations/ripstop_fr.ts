@@ -6083,6 +6083,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="obj_file.cpp"/>
+        <source>"%1" is a number with a decimal comma</source>
+        <translation>« %1 » est un nombre à virgule décimale</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
         <source>"%1" is not a corner of a face</source>
         <translation>« %1 » n’est pas un coin de face</translation>
     </message>
@@ -6090,6 +6095,26 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="obj_file.cpp"/>
         <source>"%1" is not an end of a line</source>
         <translation>« %1 » n’est pas un bout de ligne</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>An OBJ has decimal points; save it again with those, or replace the commas.</source>
+        <translation>Un OBJ a des points décimaux ; enregistrez-le de nouveau avec ceux-ci, ou remplacez les virgules.</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>Delete it in the file, or write it as a line (l); a program for meshes finds faces without area, too.</source>
+        <translation>Supprimez-la dans le fichier, ou écrivez-la comme une ligne (l) ; un programme de maillages trouve aussi les faces sans aire.</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>The mesh %1, line %2: %3. %4</source>
+        <translation>Le maillage %1, ligne %2 : %3. %4</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>Vertices count from 1, over all objects of the file; save it again from where it was made, with all vertices.</source>
+        <translation>Les sommets comptent à partir de 1, sur tous les objets du fichier ; enregistrez-le de nouveau depuis son programme d’origine, avec tous les sommets.</translation>
     </message>
     <message>
         <location filename="obj_file.cpp"/>
@@ -6120,31 +6145,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="obj_file.cpp"/>
         <source>a vertex needs three numbers</source>
         <translation>un sommet demande trois nombres</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>"%1" is a number with a decimal comma</source>
-        <translation>« %1 » est un nombre à virgule décimale</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>An OBJ has decimal points; save it again with those, or replace the commas.</source>
-        <translation>Un OBJ a des points décimaux ; enregistrez-le de nouveau avec ceux-ci, ou remplacez les virgules.</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>Delete it in the file, or write it as a line (l); a program for meshes finds faces without area, too.</source>
-        <translation>Supprimez-la dans le fichier, ou écrivez-la comme une ligne (l) ; un programme de maillages trouve aussi les faces sans aire.</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>Vertices count from 1, over all objects of the file; save it again from where it was made, with all vertices.</source>
-        <translation>Les sommets comptent à partir de 1, sur tous les objets du fichier ; enregistrez-le de nouveau depuis son programme d’origine, avec tous les sommets.</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>The mesh %1, line %2: %3. %4</source>
-        <translation>Le maillage %1, ligne %2 : %3. %4</translation>
     </message>
     <message>
         <location filename="off_file.cpp"/>
@@ -10765,6 +10765,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>1 has panels carry the fabric's pull instead of springs: with warp, weft, shear and wrinkles, and the same on every mesh.</source>
         <translation>1 fait porter la traction du tissu par les panneaux au lieu de ressorts : avec chaîne, trame, cisaillement et plis, et de même sur tout maillage.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 has panels carry the pull, with the stretch that was measured; with 0 threads do, which never stretch.</source>
+        <translation>1 fait porter la traction par les panneaux, avec l’allongement mesuré ; avec 0 ce sont des fils, qui ne s’allongent jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15518,8 +15523,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Strips of three measured fabrics reach twice their bending length (B / (density g))^(1/3) over the edge and droop to 41.5 degrees, the slope of the ramps. Peirce 1930.</source>
-        <translation>Des bandes de trois tissus mesurés dépassent le bord de deux fois leur longueur de flexion (B / (masse surfacique × g))^(1/3) et tombent à 41,5 degrés, la pente des rampes. Peirce 1930.</translation>
+        <source>Strips of three measured fabrics, with their own stretch and bending, reach twice their bending length (B / (density g))^(1/3) over the edge and droop to 41.5 degrees, the slope of the ramps. Peirce 1930.</source>
+        <translation>Des bandes de trois tissus mesurés, avec leur allongement et leur flexion, dépassent le bord de deux fois leur longueur de flexion (B / (densité g))^(1/3) et s’affaissent à 41,5 degrés, la pente des rampes. Peirce 1930.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -18222,13 +18227,13 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="typed_number.cpp"/>
-        <source>must be written with %1 or %2, as the comma may mean either</source>
-        <translation>doit s’écrire avec %1 ou %2, car la virgule peut signifier l’un ou l’autre</translation>
+        <source>must be in %1</source>
+        <translation>doit être en %1</translation>
     </message>
     <message>
         <location filename="typed_number.cpp"/>
-        <source>must be in %1</source>
-        <translation>doit être en %1</translation>
+        <source>must be written with %1 or %2, as the comma may mean either</source>
+        <translation>doit s’écrire avec %1 ou %2, car la virgule peut signifier l’un ou l’autre</translation>
     </message>
     <message>
         <location filename="typed_parameters.cpp"/>
