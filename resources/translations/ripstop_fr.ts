@@ -10769,7 +10769,7 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     <message>
         <location filename="tables"/>
         <source>1 has panels carry the pull, with the stretch that was measured; with 0 threads do, which never stretch.</source>
-        <translation>1 fait porter la traction par les panneaux, avec l’allongement mesuré ; avec 0 ce sont des fils, qui ne s’allongent jamais.</translation>
+        <translation>1 fait porter la traction par les panneaux, avec l’allongement mesuré ; avec 0 ce sont des fils, qui ne s’allongent jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
