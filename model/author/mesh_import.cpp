@@ -8,6 +8,7 @@
 #include "author/mesh_import.h"
 
 #include "derived/named_files.h"
+#include "materials/presets.h"
 
 #include <Eigen/Geometry>
 
@@ -341,8 +342,7 @@ Material materialFrom(const Preset& preset)
 {
     Material material;
     material.name = "fabric";
-    for (const PresetNumber& number : preset.values)
-        findProperty(Kind::Material, number.key)->set(&material, number.value);
+    give(material, preset);
     return material;
 }
 

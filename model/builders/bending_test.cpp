@@ -39,18 +39,19 @@ double numberOf(const Preset& preset, const Property& property)
     return number ? std::get<double>(number->value) : 0.0;
 }
 
-// The fabric's weight and bending, and of panels its stretch.
+// All that is known of the fabric, or of one of threads, which do not stretch, its weight and
+// bending.
 Material fabricOf(const Preset& preset, const char* color, bool byPanels)
 {
     Material material;
     material.name = preset.name;
     material.color = color;
+    if (byPanels) {
+        give(material, preset);
+        return material;
+    }
     material.arealDensity = numberOf(preset, propertyOf<&Material::arealDensity>());
     material.bendingStiffness = numberOf(preset, propertyOf<&Material::bendingStiffness>());
-    if (byPanels) {
-        material.membraneStiffness = numberOf(preset, propertyOf<&Material::membraneStiffness>());
-        material.dampingTime = numberOf(preset, propertyOf<&Material::dampingTime>());
-    }
     return material;
 }
 

@@ -243,10 +243,11 @@ private:
     // Of elastic panels, elastic_check.h looks at more.
     void checkMaterial(const Material& material, Id id)
     {
-        constexpr double stiffest = 1e12; // N, N/m and N m^2; a bar of steel of 5 m^2
+        constexpr double stiffest = 1e12; // N, N/m, N m, N m^2; a bar of steel of 5 m^2
         for (const Property* property :
              {&propertyOf<&Material::stiffness>(), &propertyOf<&Material::axialStiffness>(),
               &propertyOf<&Material::membraneStiffness>(),
+              &propertyOf<&Material::bendingStiffness>(),
               &propertyOf<&Material::flexuralRigidity>()}) {
             const Value value = property->get(&material);
             const double* const number = std::get_if<double>(&value);

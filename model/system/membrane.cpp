@@ -68,11 +68,11 @@ double pullAlongMost(const Vec3& tension, const Vec3& threads)
 // piece so short, has folds or is about to.
 ClothState lieOf(const PieceLaw& law, const Vec3& tension)
 {
-    if (law.pushes
-        || (tension[0] >= 0.0 && tension[1] >= 0.0
-            && tension[0] * tension[1] >= tension[2] * tension[2]))
+    const double most = largestTension(tension);
+    const double least = tension[0] + tension[1] - most;
+    if (law.pushes || least >= 0.0)
         return ClothState::Taut;
-    return largestTension(tension) > 0.0 ? ClothState::Wrinkled : ClothState::Slack;
+    return most > 0.0 ? ClothState::Wrinkled : ClothState::Slack;
 }
 
 // 1, the larger of warp and weft, of threads of this strain of Green's.

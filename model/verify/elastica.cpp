@@ -1,10 +1,10 @@
 // Cloth and spars that bend far, by default and on two meshes each.
 //
-// In order: strips of cloth that hang over an edge by their weight or have buckled between hinges
-// (RF-16), and the 4 mm carbon rod as a cantilever with a load at its tip (RF-17), as a column that
-// has buckled (RF-18) and strung to a bow (RF-19). Expected
-// numbers are those of the inextensible elastica. Viscosity, which changes nothing of where they
-// end, brings them to rest.
+// In order: strips of cloth that hang over an edge by their weight, are bent to an arc by their
+// clamps or have buckled between hinges (RF-16), and the 4 mm carbon rod as a cantilever with a
+// load at its tip (RF-17), as a column that has buckled (RF-18) and strung to a bow (RF-19).
+// Expected numbers are those of the inextensible elastica. Viscosity, which changes nothing of
+// where they end, brings them to rest.
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
 #include "verify/at_rest.h"
@@ -81,8 +81,59 @@ void addOverhangs(std::vector<Case>& cases)
             }
 }
 
-// --- what has buckled between hinges
-// --------------------------------------------------------------
+// --- a strip between clamps that are turned -----------------------------------------------------
+
+// A strip of 0.2 m without weight, held by a column of cells at either end. The clamps are turned
+// so that it is an arc of a circle, the shape without a force along it, as long as it was at rest.
+// What it is long then, over that. A force of 1 N/m along it would show; B over the square of the
+// radius is 0.1 N/m at most.
+double lengthOfArc(double degrees, int cells)
+{
+    constexpr double length = 0.2, density = 0.2; // m, kg/m^2
+    constexpr int across = 2;
+    const double cell = length / cells;
+    Material cloth = isotropic(1e4, 0.0);
+    cloth.bendingStiffness = 1e-3;
+    Scene scene = sceneOf(rectangle(length + 2.0 * cell, across * cell, cells + 2, across), cloth,
+                          0.0, density);
+    const double slowest =
+        std::sqrt(cloth.bendingStiffness / density) * std::pow(std::numbers::pi / length, 2); // 1/s
+    scene.settings.viscosity = 2.0 * slowest;
+    std::vector<Particle>& particles = particlesOf(scene);
+    for (Particle& particle : particles)
+        particle.pinned =
+            particle.position.x() < 1.5 * cell || particle.position.x() > length + 0.5 * cell;
+    const std::shared_ptr<const System> system = *compile(scene);
+    // each cell is a chord, and turns by as much as it does at the clamps' own
+    const double turn = degrees * std::numbers::pi / 180.0 / cells;
+    const double radius = 0.5 * cell / std::sin(0.5 * turn);
+    State start = system->start;
+    for (PaddedVec3& x : start.position) {
+        const double angle = turn * x.x() / cell;
+        x = Vec3(radius * std::sin(angle), x.y(), radius * (1.0 - std::cos(angle)));
+    }
+    const AtRest rest = restOf(system, start, 14.0 / slowest);
+    double sum = 0.0;
+    for (int row = 0; row <= across; ++row)
+        for (int i = 1; i <= cells; ++i) {
+            const auto at = std::size_t(row * (cells + 3) + i);
+            sum += (rest.state.position[at + 1] - rest.state.position[at]).norm();
+        }
+    return sum / length / (across + 1);
+}
+
+void addArcs(std::vector<Case>& cases)
+{
+    for (const double degrees : {60.0, 120.0})
+        for (const int cells : {10, 20})
+            cases.push_back({"RF-16",
+                             "strip bent to an arc of " + digits(degrees, 3) + " degrees, "
+                                 + std::to_string(cells) + " cells, length",
+                             1.0, relative(1e-4), "", "an arc has no force along it",
+                             [=] { return lengthOfArc(degrees, cells); }});
+}
+
+// --- what has buckled between hinges -----------------------------------------------------------
 
 struct Buckled
 {
@@ -381,6 +432,7 @@ std::vector<Case> elasticaCases()
 {
     std::vector<Case> cases;
     addOverhangs(cases);
+    addArcs(cases);
     addBuckledCloth(cases);
     addCantilevers(cases);
     addColumns(cases);

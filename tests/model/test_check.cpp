@@ -97,6 +97,9 @@ private slots:
             [](Scene& s) { materialIn(s).axialStiffness = 1e30; });
         row("spar of no stiffness that there is", error, 2, "above 1e+12 N m",
             [](Scene& s) { materialIn(s).flexuralRigidity = 2e12; });
+        row("cloth that bends like nothing that there is", error, 2,
+            "Bending stiffness of material",
+            [](Scene& s) { materialIn(s).bendingStiffness = 1e30; });
         row("panel on the corners of another", warning, 32, "same three corners as panel 31",
             [](Scene& s) {
                 part(s).panels.push_back({Id{32}, Id{12}, Id{13}, Id{11}, materialId});

@@ -174,6 +174,7 @@ private slots:
         for (const PieceLaw& law : someLaws()) {
             const ClothTension slack = tensionOf(law, {-0.01, -0.02, 0.001});
             QVERIFY(slack.state == ClothState::Slack);
+            QVERIFY(law.bucklingLoad > 0.0 || (slack.tension.isZero(0.0) && slack.energy == 0.0));
             const Vec3 push(-law.bucklingLoad, -law.bucklingLoad, 0.0);
             QVERIFY2((slack.tension - push).norm() <= 1e-12 * law.warp, told(slack.tension, push));
             // What folds take up costs the push all along the way, and what comes before half.
