@@ -142,7 +142,7 @@ MenuRows insertRows(const Workbench& bench)
     const auto add = [&outline](Kind kind) { return [&outline, kind] { outline.addNew(kind); }; };
     // clang-format off
     const MenuRows items{
-        {"&Insert", "addWind",     tr("Wind"),     "wind",     {}, tr("Add a wind: the same everywhere, growing with the height, gusty or a jet."), add(Kind::Wind)},
+        {"&Insert", "addWind",     tr("Wind"),     "wind",     {}, tr("Add a wind: the same everywhere, growing with the height, in gusts or as a jet."), add(Kind::Wind)},
         {"&Insert", "addControl",  tr("Control"),  "control",  {}, tr("Add a control, with which keys or a track move what is selected."), add(Kind::Control)},
         {"&Insert", "addProbe",    tr("Probe"),    "probe",    {}, tr("Add a probe, which measures what is selected while it flies."), add(Kind::Probe)},
         {"&Insert", "addPlot",     tr("Plot"),     "plot",     {}, tr("Add a plot of probes over time."), add(Kind::Plot)},

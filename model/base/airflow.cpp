@@ -46,6 +46,7 @@ Vec3 velocityAt(const Airflow& flow, const Vec3& place)
     case WindKind::Jet:
         return jetAt(flow, place);
     case WindKind::Gusts:
+    case WindKind::DiscreteGust:
         break;
     }
     return Vec3::Zero();

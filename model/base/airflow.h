@@ -30,7 +30,7 @@ struct Airflow
 };
 
 // Velocity of the air at a place, m/s. It is zero for gusts, which are the same everywhere and
-// depend on time (forces/gusts.h). Pure: any thread may call it.
+// depend on time (forces/gusts.h, forces/discrete_gust.h). Pure: any thread may call it.
 Vec3 velocityAt(const Airflow& flow, const Vec3& place);
 
 } // namespace ripstop

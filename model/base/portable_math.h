@@ -1,5 +1,5 @@
-// Logarithm, exponential and angle that have the same bits on every machine, unlike those of the
-// mathematical libraries; exact to two units in the last place. They use sums, products,
+// Logarithm, exponential, sine and angle that have the same bits on every machine, unlike those of
+// the mathematical libraries; exact to two units in the last place. They use sums, products,
 // quotients, square roots and exact functions only, which every machine rounds alike.
 #pragma once
 
@@ -40,6 +40,15 @@ inline double portableExp(double x)
     for (int k = 15; k >= 1; --k)
         sum = 1.0 + r * sum / k;
     return std::ldexp(sum, int(n));
+}
+
+// sin x, 0 <= x <= pi / 2, by its series.
+inline double portableSine(double x)
+{
+    double sum = 0.0;
+    for (int k = 25; k >= 3; k -= 2)
+        sum = x * x / (k * (k - 1)) * (1.0 - sum);
+    return x * (1.0 - sum);
 }
 
 // Angle of (x, y) from the x axis, 0 to pi, for y >= 0. The angle is halved four times by

@@ -70,6 +70,7 @@ constexpr std::array table{
     QuantityRow{Quantity::BendingMoment,   "N m", Of::Links, 1, "Of spars, where two links meet; the largest where there are several places."},
     QuantityRow{Quantity::Camber,          "", Of::Particles, 2, "How deep the fabric is arched between the nose and the tail, over their distance."},
     QuantityRow{Quantity::CamberPosition,  "", Of::Particles, 2, "Where the fabric is arched deepest between the nose and the tail, from the nose, over their distance."},
+    QuantityRow{Quantity::WindSpeed,       "m/s", Of::Particles, 1, "Of the air at the centre of mass, over the ground, with its gusts."},
 };
 // clang-format on
 

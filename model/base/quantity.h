@@ -71,12 +71,13 @@ enum class Quantity {
     WrinkledShare, // of the flat area
     BendingMoment,
     Camber, // of the section of a sail
-    CamberPosition
+    CamberPosition,
+    WindSpeed
 };
 
 // clang-format off
 template <>
-inline constexpr std::array<std::string_view, 61> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 62> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
@@ -89,7 +90,7 @@ inline constexpr std::array<std::string_view, 61> choiceNames<Quantity>{
     "work_of_air",      "work_of_hands",  "work_of_damping",  "work_of_contact", "work_of_tearing",
     "energy_residual",  "formula",        "steps_per_second", "margin",           "fabric_stress",
     "mean_stress",      "warp_stress",    "weft_stress",      "wrinkled_share", "bending_moment",
-    "camber",           "camber_position"};
+    "camber",           "camber_position", "wind_speed"};
 // clang-format on
 
 struct QuantityRow

@@ -263,12 +263,35 @@ private:
             add("picture", Severity::Warning, std::move(*warning), id);
     }
 
+    // A step has the wind of its end, so a gust that is over in few of them is not what was typed.
+    void checkGust(const Wind& wind, Id id)
+    {
+        constexpr double fewest = 10.0; // steps
+        const double step = m_scene.settings.timeStep;
+        if (wind.interval > 0.0 && wind.interval < wind.duration)
+            add("gust-interval", Severity::Error,
+                Message("Gust %1 comes again after %2 s, before it has ended at %3 s: make the "
+                        "interval as long as the duration or longer, or 0 for one gust.",
+                        wind.name, Message::number("%.4g", wind.interval),
+                        Message::number("%.4g", wind.duration)),
+                id);
+        if (wind.duration < fewest * step)
+            add("gust-duration", Severity::Warning,
+                Message("Gust %1 is over in %2 s, less than ten steps of %3 s: make it longer, or "
+                        "the time step shorter.",
+                        wind.name, Message::number("%.4g", wind.duration),
+                        Message::number("%.4g", step)),
+                id);
+    }
+
     void checkWind(const Wind& wind, Id id)
     {
         if (wind.kind == WindKind::LogLaw && !(wind.roughness < wind.referenceHeight))
             add("roughness", Severity::Error,
                 Message("Wind %1 needs a roughness that is below its reference height.", wind.name),
                 id);
+        if (wind.kind == WindKind::DiscreteGust)
+            checkGust(wind, id);
         const double speed = wind.velocity.norm(), limit = m_scene.settings.speedLimit;
         if (speed > limit)
             add("storm", Severity::Warning,

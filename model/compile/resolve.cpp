@@ -352,6 +352,9 @@ Winds windsOf(const Scene& scene)
             winds.gusts.push_back(drydenGusts(Key(id),
                                               meanWindAt(scene, {0.0, item.referenceHeight, 0.0}),
                                               item.referenceHeight, item.gustiness, item.seed));
+        else if (item.kind == WindKind::DiscreteGust)
+            winds.discreteGusts.push_back(
+                {item.velocity, item.start, item.duration, item.interval, item.growth});
         else
             winds.airflows.push_back(airflowOf(item));
     });
@@ -363,6 +366,7 @@ void takeWinds(const Winds& winds, System& system)
     system.wind = winds.uniform;
     system.airflows = winds.airflows;
     system.gusts = winds.gusts;
+    system.discreteGusts = winds.discreteGusts;
 }
 
 std::vector<Obstacle> obstaclesOf(const Scene& scene)

@@ -50,6 +50,7 @@ struct Winds
     Vec3 uniform = Vec3::Zero();   // m/s
     std::vector<Airflow> airflows; // those that depend on the place
     std::vector<GustSpec> gusts;
+    std::vector<DiscreteGust> discreteGusts;
 };
 Winds windsOf(const Scene& scene);
 void takeWinds(const Winds& winds, System& system);

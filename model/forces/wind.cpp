@@ -1,5 +1,6 @@
 #include "forces/wind.h"
 
+#include "forces/discrete_gust.h"
 #include "forces/gusts.h"
 
 namespace ripstop {
@@ -9,6 +10,8 @@ Vec3 commonWind(const System& system, const State& state)
     Vec3 wind = system.wind;
     for (std::size_t i = 0; i < system.gusts.size(); ++i)
         wind += velocityOf(system.gusts[i], state.gusts[i]);
+    for (const DiscreteGust& gust : system.discreteGusts)
+        wind += velocityOf(gust, state.time);
     return wind;
 }
 

@@ -258,6 +258,8 @@ double Readings::value(const ProbeSpec& probe)
         return areaOf(probe, *this);
     case Quantity::Airspeed:
         return relativeWind(probe, *this).norm();
+    case Quantity::WindSpeed:
+        return windOver(probe, *this).norm();
     case Quantity::Lift:
         return liftAndDrag(probe, *this).lift;
     case Quantity::Drag:

@@ -27,15 +27,19 @@ ProbeSpec withParticles(const ProbeSpec& probe, const System& system)
 
 } // namespace
 
-Vec3 relativeWind(const ProbeSpec& probe, Readings& readings)
+Vec3 windOver(const ProbeSpec& probe, Readings& readings)
 {
     const System& system = readings.system();
     const State& state = readings.state();
+    const Vec3 place = meanOf(withParticles(probe, system), system, state.position);
+    return place.allFinite() ? windAt(system, state, place) : place;
+}
+
+Vec3 relativeWind(const ProbeSpec& probe, Readings& readings)
+{
+    const System& system = readings.system();
     const ProbeSpec whole = withParticles(probe, system);
-    const Vec3 place = meanOf(whole, system, state.position);
-    if (!place.allFinite())
-        return place;
-    return windAt(system, state, place) - meanOf(whole, system, state.velocity);
+    return windOver(whole, readings) - meanOf(whole, system, readings.state().velocity);
 }
 
 LiftAndDrag liftAndDrag(const ProbeSpec& probe, Readings& readings)

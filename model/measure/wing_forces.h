@@ -6,6 +6,9 @@
 
 namespace ripstop {
 
+// m/s, the air over the ground, at the same place as the relative wind.
+Vec3 windOver(const ProbeSpec& probe, Readings& readings);
+
 // m/s, the air as it passes the centre of mass of the probe's particles, or of the corners of its
 // panels where it has no particles.
 Vec3 relativeWind(const ProbeSpec& probe, Readings& readings);

@@ -144,23 +144,22 @@ inline constexpr auto fieldsOf<State> = fields<State,
 // The serials and what goes with them say when a solver looks again: two systems may be equal
 // without them.
 template <>
-inline constexpr auto fieldsOf<System> =
-    fields<System, &System::generation, &System::run, field<&System::serial, Compared::No>,
-           field<&System::valuesSerial, Compared::No>, field<&System::touched, Compared::No>,
-           &System::timeStep, &System::substeps, &System::sweeps, &System::integrator,
-           &System::solver, &System::accuracy, &System::strainGoal, &System::rampTime,
-           &System::tearsPerStep, &System::tearMesh, &System::gravity, &System::airDensity,
-           &System::wind, &System::airflows, &System::gusts, &System::viscosity,
-           &System::speedLimit, &System::safetyFactor, &System::key, &System::parts, &System::mass,
-           &System::inverseMass, &System::guided, &System::springs, &System::springsAsRods,
-           &System::rods, &System::colorStart, &System::chunkStart, &System::chunkClass,
-           &System::chunkReach, &System::direct, &System::materialAir, &System::bending,
-           &System::strength, &System::forces, &System::panels, &System::panelKey, &System::cloth,
-           &System::clothTear, &System::membranes, &System::links, &System::linkStuff,
-           &System::linkFactors, &System::springLink, &System::rodLink, &System::tearableSprings,
-           &System::tearableRods, &System::springsAt, &System::rodsAt, &System::panelsAt,
-           &System::panelsBeside, &System::obstacles, &System::fabricLayer, &System::canopies,
-           &System::inputs, &System::shiftedRods, &System::probes, &System::start>;
+inline constexpr auto fieldsOf<System> = fields<
+    System, &System::generation, &System::run, field<&System::serial, Compared::No>,
+    field<&System::valuesSerial, Compared::No>, field<&System::touched, Compared::No>,
+    &System::timeStep, &System::substeps, &System::sweeps, &System::integrator, &System::solver,
+    &System::accuracy, &System::strainGoal, &System::rampTime, &System::tearsPerStep,
+    &System::tearMesh, &System::gravity, &System::airDensity, &System::wind, &System::airflows,
+    &System::gusts, &System::discreteGusts, &System::viscosity, &System::speedLimit,
+    &System::safetyFactor, &System::key, &System::parts, &System::mass, &System::inverseMass,
+    &System::guided, &System::springs, &System::springsAsRods, &System::rods, &System::colorStart,
+    &System::chunkStart, &System::chunkClass, &System::chunkReach, &System::direct,
+    &System::materialAir, &System::bending, &System::strength, &System::forces, &System::panels,
+    &System::panelKey, &System::cloth, &System::clothTear, &System::membranes, &System::links,
+    &System::linkStuff, &System::linkFactors, &System::springLink, &System::rodLink,
+    &System::tearableSprings, &System::tearableRods, &System::springsAt, &System::rodsAt,
+    &System::panelsAt, &System::panelsBeside, &System::obstacles, &System::fabricLayer,
+    &System::canopies, &System::inputs, &System::shiftedRods, &System::probes, &System::start>;
 
 // Calls visit(array, the same array in the next state, ...) for each array that has an entry for
 // each of these.

@@ -1,6 +1,7 @@
 // Gusts after Dryden: what they are like (GustSpec, part of a System) and what they remember
 // (GustState, part of a State). forces/gusts.h has the model and its sources, makes the numbers and
-// draws the gusts once in each time step.
+// draws the gusts once in each time step. A DiscreteGust remembers nothing: it follows from the
+// time (forces/discrete_gust.h).
 #pragma once
 
 #include "base/vec3.h"
@@ -33,6 +34,17 @@ struct GustState
     std::array<double, 2> up{};
 
     friend bool operator==(const GustState&, const GustState&) = default;
+};
+
+struct DiscreteGust
+{
+    Vec3 velocity = Vec3::Zero(); // m/s, at the peak of the first
+    double start = 0.0;           // s
+    double duration = 1.0;        // s
+    double interval = 0.0;        // s, from one to the next; 0 has one only
+    double growth = 0.0;          // 1, of the first, that each is stronger than the one before
+
+    friend bool operator==(const DiscreteGust&, const DiscreteGust&) = default;
 };
 
 } // namespace ripstop

@@ -94,6 +94,7 @@ struct System
     Vec3 wind = Vec3::Zero();                // m/s, what is the same everywhere and always
     std::vector<Airflow> airflows;           // winds that depend on the place
     std::vector<GustSpec> gusts;
+    std::vector<DiscreteGust> discreteGusts;
     double viscosity = 0.0;     // 1/s
     double speedLimit = 1000.0; // m/s
     double safetyFactor = 1.0;  // 1, of margins

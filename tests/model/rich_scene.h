@@ -55,6 +55,9 @@ inline Scene rich(Integrator integrator = Integrator::Auto)
     Wind fan{"fan", {0.0, 0.0, 3.0}};
     fan.kind = WindKind::Jet;
     addItem(scene, fan);
+    Wind gust{"gust", {4.0, 0.0, 0.0}, WindKind::DiscreteGust};
+    gust.start = 0.0;
+    addItem(scene, gust);
     Wind shear{"shear", {2.0, 0.0, 0.0}};
     shear.kind = WindKind::LogLaw;
     addItem(scene, shear);

@@ -113,6 +113,16 @@ private slots:
         row("storm", warning, 40, "speed limit of 1000 m/s", [](Scene& s) {
             addItem(s, Wind{"gale", Vec3(0.0, 0.0, 1e30)});
         });
+        row("gust before the last has ended", error, 40, "comes again after 2 s", [](Scene& s) {
+            Wind gust{"gust", {9.0, 0.0, 0.0}, WindKind::DiscreteGust};
+            gust.interval = 2.0;
+            addItem(s, gust);
+        });
+        row("gust of few steps", warning, 40, "less than ten steps", [](Scene& s) {
+            Wind gust{"gust", {9.0, 0.0, 0.0}, WindKind::DiscreteGust};
+            gust.duration = 0.01;
+            addItem(s, gust);
+        });
         row("link to nothing", error, 21, "from points at 99, which does not exist",
             [](Scene& s) { part(s).links[0].from = Id{99}; });
         row("link to a panel", error, 22, "to points at 31, which is a panel",

@@ -106,7 +106,7 @@ private slots:
         for (const Quantity quantity :
              {Quantity::AirForce, Quantity::Lift, Quantity::Drag, Quantity::LiftToDrag,
               Quantity::DragArea, Quantity::PressureX, Quantity::PressureY, Quantity::PressureZ,
-              Quantity::Airspeed, Quantity::Area})
+              Quantity::Airspeed, Quantity::Area, Quantity::WindSpeed})
             bench.add({.quantity = quantity, .target = Id{1}});
         const std::vector<double> read = bench.read();
         const double force = read[0];
@@ -123,6 +123,7 @@ private slots:
         QVERIFY(near(read[7], 0.0));
         QVERIFY(near(read[8], 10.0));
         QVERIFY(near(read[9], 4.0));
+        QVERIFY(near(read[10], 10.0));
     }
 
     // 3 kg on a spring that m g stretches by 1 cm, at rest: the pin of 0.5 kg is held with the

@@ -1,8 +1,8 @@
 // Wind over height, jets and gusts (validation 3.7, T-W1 to T-W3).
 //
-// Stages: functions that give the same bits everywhere; profiles and jets in closed form; then
-// gusts: numbers of the Dryden model, statistics, independence of components, seeds, edits; and
-// what panels and lines meet where several winds add up.
+// Stages: functions that give the same bits everywhere; profiles, jets and discrete gusts in closed
+// form; then gusts: numbers of the Dryden model, statistics, independence of components, seeds,
+// edits; and what panels and lines meet where several winds add up.
 #include "assembly/finish.h"
 #include "model/systems.h"
 #include "registered_test.h"
@@ -12,6 +12,7 @@
 #include "builders/network.h"
 #include "check/check.h"
 #include "compile/compile.h"
+#include "forces/discrete_gust.h"
 #include "forces/gusts.h"
 #include "forces/wind.h"
 #include "measure/diagnostics.h"
@@ -147,6 +148,11 @@ private slots:
         QCOMPARE(portableLog(1.0), 0.0);
         QCOMPARE(portableExp(0.0), 1.0);
         QCOMPARE(portableExp(-1000.0), 0.0);
+        for (int i = 0; i <= 10000; ++i) {
+            const double x = 0.5 * pi * i / 10000.0;
+            QVERIFY2(isNear(portableSine(x), std::sin(x), 3e-16),
+                     told(portableSine(x), std::sin(x)));
+        }
     }
 
     void profiles_data()
@@ -220,6 +226,36 @@ private slots:
         const double first = pi * 0.4 * 0.4 * 144.0 / 5.0; // of (1 - d^2 / r^2)^4 over the section
         for (const double along : {0.0, 0.5, 2.0, 8.0})
             QVERIFY2(std::abs(flux(along) / first - 1.0) < 1e-3, told(flux(along), first));
+    }
+
+    void discreteGust_data()
+    {
+        QTest::addColumn<double>("time"); // s
+        QTest::addColumn<double>("share");
+        QTest::newRow("before") << 1.999 << 0.0;
+        QTest::newRow("a sixth") << 2.5 << 0.25; // (1 - cos 60) / 2
+        QTest::newRow("a quarter") << 2.75 << 0.5;
+        QTest::newRow("peak") << 3.5 << 1.0;
+        QTest::newRow("five sixths") << 4.5 << 0.25;
+        QTest::newRow("over") << 5.1 << 0.0;
+        QTest::newRow("second peak") << 7.5 << 1.25;
+        QTest::newRow("tenth, half") << 2.0 + 9 * 4.0 + 0.75 << 0.5 * (1.0 + 9 * 0.25);
+        QTest::newRow("long before") << -1e300 << 0.0;
+    }
+
+    void discreteGust()
+    {
+        QFETCH(double, time);
+        QFETCH(double, share);
+        const DiscreteGust train{{8.0, 2.0, 0.0}, 2.0, 3.0, 4.0, 0.25};
+        const Vec3 got = velocityOf(train, time);
+        QVERIFY2(isNear(got, share * train.velocity, 1e-12), told(got, share * train.velocity));
+        DiscreteGust once = train;
+        once.interval = 0.0;
+        if (time < 6.0)
+            QCOMPARE(velocityOf(once, time), got);
+        else
+            QCOMPARE(velocityOf(once, time), Vec3(Vec3::Zero()));
     }
 
     void drydenNumbers_data()
@@ -382,6 +418,9 @@ private slots:
         fan.kind = WindKind::Jet;
         fan.position = {-1.0, 10.0, 5.0};
         addItem(scene, fan);
+        Wind single{"gust", {0.0, 0.0, 2.0}, WindKind::DiscreteGust};
+        single.start = 0.0;
+        addItem(scene, single);
         const auto system = compile(scene);
         QVERIFY(bool(system));
         QCOMPARE((*system)->wind, Vec3(1.0, 0.5, 0.0));
@@ -393,6 +432,9 @@ private slots:
         const Vec3 got = windAt(**system, start, {-1.0, 10.0, 5.0});
         QVERIFY2(isNear(got, gust + Vec3(4.0, 0.5, 6.0), 1e-12),
                  told(got, gust + Vec3(4.0, 0.5, 6.0)));
+        State later = start;
+        later.time = 0.5 * single.duration;
+        QVERIFY(isNear(windAt(**system, later, {-1.0, 10.0, 5.0}), got + single.velocity, 1e-12));
     }
 
     void roughnessNeedsHeight()
