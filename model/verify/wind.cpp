@@ -37,7 +37,7 @@ double momentumOfGusts(int gusts)
     wind.growth = gustGrowth;
     const Id material{1};
     Part part;
-    constexpr double mass = 1e4; // kg, of each corner
+    constexpr double mass = 1e6; // kg, of each corner
     for (const auto& [x, y] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
         const Id id = Id(unsigned(part.particles.size()) + 2);
         part.particles.push_back({.id = id, .position = {x, y, 0.0}, .mass = mass});

@@ -570,6 +570,16 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>Gust %1 comes again after %2 s, before it has ended at %3 s: make the interval as long as the duration or longer, or 0 for one gust.</source>
+        <translation>La rafale %1 revient après %2 s, avant de finir à %3 s : rendez l’intervalle au moins aussi long que la durée, ou nul pour une seule rafale.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Gust %1 is over in %2 s, less than ten steps of %3 s: make it longer, or the time step shorter.</source>
+        <translation>La rafale %1 est finie en %2 s, moins de dix pas de %3 s : allongez-la, ou raccourcissez le pas de temps.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>Materials #%1 and #%2 are both called %3, and a path of that name means the first: rename one.</source>
         <translation>Les matériaux #%1 et #%2 s’appellent tous deux %3, et un chemin de ce nom désigne le premier : renommez-en un.</translation>
     </message>
@@ -4251,8 +4261,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="insert_rows.cpp"/>
-        <source>Add a wind: the same everywhere, growing with the height, gusty or a jet.</source>
-        <translation>Ajouter un vent : le même partout, croissant avec la hauteur, en rafales ou en jet.</translation>
+        <source>Add a wind: the same everywhere, growing with the height, in gusts or as a jet.</source>
+        <translation>Ajouter un vent : partout le même, croissant avec la hauteur, en rafales ou en jet.</translation>
     </message>
     <message>
         <location filename="insert_rows.cpp"/>
@@ -11628,6 +11638,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>By how much of the first each gust is stronger than the one before: 0.25 has peaks of 1, 1.25, 1.5 and so on.</source>
+        <translation>De quelle part de la première chaque rafale dépasse la précédente : 0,25 donne des sommets de 1, 1,25, 1,5 et ainsi de suite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>By length (kg/m)</source>
         <translation>Par longueur (kg/m)</translation>
     </message>
@@ -12208,6 +12223,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Discrete gust</source>
+        <translation>Rafale isolée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Distance</source>
         <translation>Distance</translation>
     </message>
@@ -12300,6 +12320,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Droop</source>
         <translation>Tombée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Duration</source>
+        <translation>Durée</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12430,6 +12455,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Equal masses</source>
         <translation>Masses égales</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Every 6 s a gust of 3 s blows on top of a wind of 6 m/s: of 3, 6, 9, 12 and 15 m/s and so on, after 5 s. A delta of 0.75 oz rides them on a line that bears 130 N, 117 at its knots: the fifth parts it. Tune the line strength of the line, 100 to 200 N, or velocity, duration and growth of the gust.</source>
+        <translation>Toutes les 6 s, une rafale de 3 s s’ajoute à un vent de 6 m/s : de 3, 6, 9, 12 et 15 m/s et ainsi de suite, après 5 s. Un delta de 0,75 oz les affronte sur une ligne qui tient 130 N, 117 à ses nœuds : la cinquième la rompt. Réglez la résistance de la ligne, de 100 à 200 N, ou la vitesse, la durée et la croissance de la rafale.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12673,6 +12703,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>From the beginning of a gust to that of the next; 0 has one gust only.</source>
+        <translation>Du début d’une rafale à celui de la suivante ; 0 n’en a qu’une seule.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>From the canopy to the payload; made longer where it would not reach.</source>
         <translation>De la voilure à la charge ; allongée là où elle n’atteindrait pas.</translation>
     </message>
@@ -12845,6 +12880,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Grid</source>
         <translation>Grille</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Growth</source>
+        <translation>Croissance</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13133,6 +13173,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>How long a gust lasts: it grows for half of that, and falls again.</source>
+        <translation>Durée d’une rafale : elle croît pendant la moitié, puis retombe.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>How long a link is now.</source>
         <translation>Quelle longueur une liaison a maintenant.</translation>
     </message>
@@ -13270,6 +13315,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Integrators</source>
         <translation>Intégrateurs</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Interval</source>
+        <translation>Intervalle</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14258,6 +14308,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Of the air at the centre of mass, over the ground, with its gusts.</source>
+        <translation>De l’air au centre de masse, par rapport au sol, rafales comprises.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Of the air under the canopy.</source>
         <translation>De l’air sous la voilure.</translation>
     </message>
@@ -14985,6 +15040,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>Rise of the trailing edge at the keel over the chord; turns the nose up like washout.</source>
         <translation>Relèvement du bord de fuite à la quille, rapporté à la corde ; cabre comme le vrillage.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rising gusts</source>
+        <translation>Rafales croissantes</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15818,8 +15878,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>The same everywhere, growing with height by a power law or a logarithm, gusts that the other winds carry past, or a jet from a nozzle; the winds of a scene add up.</source>
-        <translation>Le même partout, croissant avec la hauteur selon une loi de puissance ou un logarithme, des rafales que les autres vents emportent, ou le jet d’une buse ; les vents d’une scène s’ajoutent.</translation>
+        <source>The same everywhere, growing with height by a power law or a logarithm, gusts after Dryden that the other winds carry past, a jet from a nozzle, or single gusts of a known size; the winds of a scene add up.</source>
+        <translation>Le même partout, croissant avec la hauteur selon une loi de puissance ou un logarithme, des rafales selon Dryden que les autres vents emportent, le jet d’une buse, ou des rafales isolées de taille connue ; les vents d’une scène s’ajoutent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16003,8 +16063,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Velocity of the air: everywhere, at the reference height, or in the nozzle; gusts have none of their own.</source>
-        <translation>Vitesse de l’air : partout, à la hauteur de référence, ou dans la buse ; les rafales n’en ont pas en propre.</translation>
+        <source>Velocity of the air: everywhere, at the reference height, in the nozzle, or at the peak of a discrete gust; gusts after Dryden have none of their own.</source>
+        <translation>Vitesse de l’air : partout, à la hauteur de référence, dans la buse, ou au sommet d’une rafale isolée ; les rafales selon Dryden n’en ont pas en propre.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16243,6 +16303,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>When the first gust begins.</source>
+        <translation>Quand commence la première rafale.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Where it is now, across; of links and panels their middle.</source>
         <translation>Où c’est maintenant, en largeur ; pour liaisons et panneaux, leur milieu.</translation>
     </message>
@@ -16403,6 +16468,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Wind speed</source>
+        <translation>Vitesse du vent</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Wing mass</source>
         <translation>Masse de l’aile</translation>
     </message>
@@ -16503,8 +16573,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>gusts have none of their own</source>
-        <translation>les rafales n’en ont pas en propre</translation>
+        <source>gusts after Dryden have none of their own</source>
+        <translation>les rafales selon Dryden n’en ont pas en propre</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16633,13 +16703,23 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>only a discrete gust has it</source>
+        <translation>seule une rafale isolée l’a</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only a discrete gust that comes again has it</source>
+        <translation>seule une rafale isolée qui revient l’a</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>only generated hills, a height field without a file, have it</source>
         <translation>seules les collines engendrées, un champ de hauteurs sans fichier, l’ont</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>only gusts have it</source>
-        <translation>seules les rafales l’ont</translation>
+        <source>only gusts after Dryden have it</source>
+        <translation>seules les rafales selon Dryden l’ont</translation>
     </message>
     <message>
         <location filename="tables"/>

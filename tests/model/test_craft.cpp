@@ -147,6 +147,43 @@ private slots:
         QVERIFY(most > 1.3 * least);
     }
 
+    // Peaks of 3, 6, 9, 12 and 15 m/s, 6 s from one to the next. The line tears with what its knots
+    // leave of its strength, in the gust that the scene and its table name.
+    void lineBearsGustsUpToItsStrength_data()
+    {
+        QTest::addColumn<double>("strength"); // N
+        QTest::addColumn<int>("gust");        // that parts it, or 0
+        QTest::newRow("as it is") << 130.0 << 5;
+        QTest::newRow("weaker") << 110.0 << 4;
+        QTest::newRow("stronger") << 200.0 << 0;
+    }
+
+    void lineBearsGustsUpToItsStrength()
+    {
+        QFETCH(double, strength);
+        QFETCH(int, gust);
+        Scene scene = sample("rising_gusts");
+        const Wind* train = nullptr;
+        for (Entry& entry : scene.items) {
+            if (Material* material = std::get_if<Material>(&entry.item);
+                material && material->name == "line")
+                material->lineStrength = strength;
+            if (const Wind* wind = std::get_if<Wind>(&entry.item); wind && wind->name == "gust")
+                train = wind;
+        }
+        QVERIFY(train);
+        Simulation simulation(*compile(scene));
+        QVERIFY(simulation.runUntil(train->start + 5 * train->interval));
+        const std::vector<State::Tear>& tears = simulation.state().tears;
+        QCOMPARE(tears.empty(), gust == 0);
+        if (tears.empty())
+            return;
+        QVERIFY(tears[0].force > 0.9 * strength && tears[0].force < 1.01 * 0.9 * strength);
+        const double since = tears[0].time - train->start - (gust - 1) * train->interval;
+        QVERIFY2(since > 0.0 && since < train->duration,
+                 qPrintable(QString::number(tears[0].time)));
+    }
+
     // The pocket is taken to bear 0.06 of the cloth: 5330 N/m of 0.5 oz, 8000 N/m of 0.75 oz. The
     // scene says when its last gust comes and that the line pulls with 1.1 kN then. Given the
     // heavier cloth as a person gives it, the same kite holds.
