@@ -270,14 +270,14 @@ private:
         const double step = m_scene.settings.timeStep;
         if (wind.interval > 0.0 && wind.interval < wind.duration)
             add("gust-interval", Severity::Error,
-                Message("Gust %1 comes again after %2 s, before it has ended at %3 s: make the "
+                Message("Wind %1 comes again after %2 s, before it has ended at %3 s: make the "
                         "interval as long as the duration or longer, or 0 for one gust.",
                         wind.name, Message::number("%.4g", wind.interval),
                         Message::number("%.4g", wind.duration)),
                 id);
         if (wind.duration < fewest * step)
             add("gust-duration", Severity::Warning,
-                Message("Gust %1 is over in %2 s, less than ten steps of %3 s: make it longer, or "
+                Message("Wind %1 is over in %2 s, less than ten steps of %3 s: make it longer, or "
                         "the time step shorter.",
                         wind.name, Message::number("%.4g", wind.duration),
                         Message::number("%.4g", step)),

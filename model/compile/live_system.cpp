@@ -32,6 +32,20 @@ bool hasElasticPanels(const Scene& scene)
     return some;
 }
 
+// Whether where particles start says how some of these panels are cut: a side without a rest length
+// has the distance of its corners.
+bool startCutsPanels(const Scene& scene)
+{
+    bool some = false;
+    forEachPart(scene, [&](Id, const Part& part) {
+        some |= part.carrier == FabricKind::Panels
+                && std::ranges::any_of(part.panels, [](const Panel& panel) {
+                       return std::min({panel.restAB, panel.restBC, panel.restCA}) == 0.0;
+                   });
+    });
+    return some;
+}
+
 // A plot comes or goes, which no system knows of.
 bool isPlot(const Scene& scene, const Change& change)
 {
@@ -147,7 +161,9 @@ void LiveSystem::Private::note(const SetValues& change)
         return;
     const bool shapes = property.kind == Kind::Particle || property.kind == Kind::Link
                         || property.kind == Kind::Part;
-    if (property.traits.contains(Trait::Structure) || (shapes && hasCanopies(m_scene)))
+    const bool moves = &property == &propertyOf<&Particle::position>();
+    if (property.traits.contains(Trait::Structure) || (shapes && hasCanopies(m_scene))
+        || (moves && startCutsPanels(m_scene)))
         m_noted.structure = true;
     if (m_noted.structure)
         return;

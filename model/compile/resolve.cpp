@@ -354,7 +354,7 @@ Winds windsOf(const Scene& scene)
                                               item.referenceHeight, item.gustiness, item.seed));
         else if (item.kind == WindKind::DiscreteGust)
             winds.discreteGusts.push_back(
-                {item.velocity, item.start, item.duration, item.interval, item.growth});
+                {item.velocity, item.onset, item.duration, item.interval, item.growth});
         else
             winds.airflows.push_back(airflowOf(item));
     });

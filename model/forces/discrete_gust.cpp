@@ -9,7 +9,7 @@ namespace ripstop {
 
 Vec3 velocityOf(const DiscreteGust& gust, double time)
 {
-    double since = time - gust.start; // the gust of the moment began
+    double since = time - gust.onset; // the gust of the moment began
     if (!(since > 0.0))
         return Vec3::Zero();
     double before = 0.0; // so many gusts

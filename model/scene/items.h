@@ -212,7 +212,7 @@ struct Wind
     Vec3 position = Vec3::Zero(); // m, nozzle of a jet
     double radius = 0.5;          // m, of the nozzle
     double spread = 12.0;         // degrees, half the angle of a jet
-    double start = 5.0;           // s, of a discrete gust
+    double onset = 5.0;           // s, of a discrete gust
     double duration = 3.0;        // s
     double interval = 0.0;        // s, from one discrete gust to the next; 0 has one only
     double growth = 0.0;          // 1, of the first, that each is stronger than the one before

@@ -39,7 +39,7 @@ struct GustState
 struct DiscreteGust
 {
     Vec3 velocity = Vec3::Zero(); // m/s, at the peak of the first
-    double start = 0.0;           // s
+    double onset = 0.0;           // s
     double duration = 1.0;        // s
     double interval = 0.0;        // s, from one to the next; 0 has one only
     double growth = 0.0;          // 1, of the first, that each is stronger than the one before

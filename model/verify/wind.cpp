@@ -46,7 +46,7 @@ double momentumOfGusts(int gusts)
     scene.items = {{material, Material{}}, {Id{8}, part}, {Id{9}, wind}};
     scene.nextId = Id(10);
     Simulation simulation(*compile(scene));
-    (void)simulation.runUntil(wind.start + gusts * wind.interval);
+    (void)simulation.runUntil(wind.onset + gusts * wind.interval);
     Vec3 momentum = Vec3::Zero();
     for (const Vec3& velocity : simulation.state().velocity)
         momentum += mass * velocity;

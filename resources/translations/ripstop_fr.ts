@@ -570,13 +570,13 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>Gust %1 comes again after %2 s, before it has ended at %3 s: make the interval as long as the duration or longer, or 0 for one gust.</source>
-        <translation>La rafale %1 revient après %2 s, avant de finir à %3 s : rendez l’intervalle au moins aussi long que la durée, ou nul pour une seule rafale.</translation>
+        <source>Wind %1 comes again after %2 s, before it has ended at %3 s: make the interval as long as the duration or longer, or 0 for one gust.</source>
+        <translation>Le vent %1 revient après %2 s, avant de finir à %3 s : rendez l’intervalle au moins aussi long que la durée, ou nul pour une seule rafale.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>Gust %1 is over in %2 s, less than ten steps of %3 s: make it longer, or the time step shorter.</source>
-        <translation>La rafale %1 est finie en %2 s, moins de dix pas de %3 s : allongez-la, ou raccourcissez le pas de temps.</translation>
+        <source>Wind %1 is over in %2 s, less than ten steps of %3 s: make it longer, or the time step shorter.</source>
+        <translation>Le vent %1 est fini en %2 s, moins de dix pas de %3 s : allongez-le, ou raccourcissez le pas de temps.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>

@@ -56,7 +56,7 @@ inline Scene rich(Integrator integrator = Integrator::Auto)
     fan.kind = WindKind::Jet;
     addItem(scene, fan);
     Wind gust{"gust", {4.0, 0.0, 0.0}, WindKind::DiscreteGust};
-    gust.start = 0.0;
+    gust.onset = 0.0;
     addItem(scene, gust);
     Wind shear{"shear", {2.0, 0.0, 0.0}};
     shear.kind = WindKind::LogLaw;

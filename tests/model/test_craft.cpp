@@ -173,13 +173,13 @@ private slots:
         }
         QVERIFY(train);
         Simulation simulation(*compile(scene));
-        QVERIFY(simulation.runUntil(train->start + 5 * train->interval));
+        QVERIFY(simulation.runUntil(train->onset + 5 * train->interval));
         const std::vector<State::Tear>& tears = simulation.state().tears;
         QCOMPARE(tears.empty(), gust == 0);
         if (tears.empty())
             return;
         QVERIFY(tears[0].force > 0.9 * strength && tears[0].force < 1.01 * 0.9 * strength);
-        const double since = tears[0].time - train->start - (gust - 1) * train->interval;
+        const double since = tears[0].time - train->onset - (gust - 1) * train->interval;
         QVERIFY2(since > 0.0 && since < train->duration,
                  qPrintable(QString::number(tears[0].time)));
     }

@@ -348,6 +348,45 @@ private slots:
         QFAIL("there is no such property");
     }
 
+    // A side without a rest length has the distance of its corners, so a particle that moves cuts
+    // the panels about it anew.
+    void startCutsPanels_data()
+    {
+        QTest::addColumn<double>("restLength");
+        QTest::newRow("cut by where it starts") << 0.0;
+        QTest::newRow("cut by its sides") << 1.0;
+    }
+    void startCutsPanels()
+    {
+        QFETCH(double, restLength);
+        Scene scene;
+        Material cloth{"Cloth"};
+        cloth.membraneStiffness = 1000.0; // N/m
+        const Id material = takeId(scene);
+        scene.items.push_back({material, cloth});
+        Part part{"Sheet"};
+        part.carrier = FabricKind::Panels;
+        for (const Vec3& at : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)})
+            part.particles.push_back({.id = takeId(scene), .position = at, .mass = 1.0});
+        const Id moved = part.particles[2].id;
+        part.panels.push_back({.id = takeId(scene),
+                               .a = part.particles[0].id,
+                               .b = part.particles[1].id,
+                               .c = moved,
+                               .material = material,
+                               .restAB = restLength,
+                               .restBC = restLength,
+                               .restCA = restLength});
+        scene.items.push_back({takeId(scene), part});
+        Pair pair(scene);
+        const Edit back =
+            pair.apply(setOne(row(Kind::Particle, "position"), {moved}, Vec3(0.2, 2.0, 0.0)));
+        QCOMPARE(pair.difference(), QString());
+        QCOMPARE(pair.wasPatch(), restLength > 0.0);
+        (void)pair.apply(back);
+        QCOMPARE(pair.difference(), QString());
+    }
+
     // What was noted while the scene was broken is not forgotten when it is cured.
     void cure()
     {

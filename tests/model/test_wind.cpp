@@ -419,7 +419,7 @@ private slots:
         fan.position = {-1.0, 10.0, 5.0};
         addItem(scene, fan);
         Wind single{"gust", {0.0, 0.0, 2.0}, WindKind::DiscreteGust};
-        single.start = 0.0;
+        single.onset = 0.0;
         addItem(scene, single);
         const auto system = compile(scene);
         QVERIFY(bool(system));
