@@ -1,8 +1,8 @@
 // Stages: the constructor takes the actions of the three tools; addFields() lists the numbers as
-// rows of limits, a reader and a writer, so that one function reads what is typed into any of them
-// (take()); layOut() puts them into one line over the hint. refresh() shows the bar for the tool
-// that is on, with its fields: a number that is left to the program stands as a grey placeholder,
-// and a field that has the focus is not overwritten while one types.
+// rows of limits, a reader and a writer, so that one function judges what is typed into any of them
+// (complaintAbout()) and one takes it (take()); layOut() puts them into one line over the hint.
+// refresh() shows the bar for the tool that is on, with its fields: a number that is left to the
+// program stands as a grey placeholder.
 #include "editor/hand_bar.h"
 
 #include "actions/actions.h"
@@ -10,13 +10,14 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/words.h"
+#include "icons/complaint.h"
+#include "inspector/value_edit.h"
 #include "scene/typed_number.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -101,7 +102,9 @@ void HandBar::addFields()
 
 void HandBar::addField(const QString& name, Field field, const QString& help)
 {
-    field.edit = new QLineEdit;
+    field.edit = new ValueEdit([this, place = m_fields.size()](const QString& text) {
+        return complaintAbout(m_fields[place], text);
+    });
     field.edit->setObjectName(name);
     field.edit->setAccessibleName(name);
     field.edit->setToolTip(tr("%1 From %2 to %3 %4.")
@@ -119,8 +122,10 @@ void HandBar::addField(const QString& name, Field field, const QString& help)
     row->addWidget(field.edit);
     row->addWidget(new QLabel(field.unit));
     m_fields.push_back(field);
-    connect(field.edit, &QLineEdit::editingFinished, this,
-            [this, place = m_fields.size() - 1] { take(m_fields[place]); });
+    connect(
+        field.edit, &ValueEdit::committed, this,
+        [this, place = m_fields.size() - 1](const QString& text) { take(m_fields[place], text); });
+    connect(field.edit, &ValueEdit::complained, this, [this] { settle(); });
 }
 
 void HandBar::layOut(QAction* through)
@@ -158,6 +163,7 @@ void HandBar::layOut(QAction* through)
     layout->setSpacing(4);
     layout->addLayout(above);
     layout->addWidget(m_hint);
+    layout->addWidget(m_complaint);
 }
 
 const HandBar::Hint* HandBar::shown() const
@@ -180,28 +186,40 @@ void HandBar::refresh()
     for (const Field& field : m_fields) {
         field.row->setVisible(field.tool == hint->tool);
         const QString text = shortText(field.value());
-        field.edit->setPlaceholderText(tr("automatic %1").arg(text));
-        if (!field.edit->hasFocus())
-            field.edit->setText(field.isOwn() ? text : QString());
+        field.edit->show(field.isOwn() ? text : QString(), tr("automatic %1").arg(text));
     }
     m_through->setVisible(hint == &m_hints[1]);
     m_unpin->setVisible(!m_player.hands().hands.pins.empty());
     settle();
 }
 
-void HandBar::take(const Field& field)
+QString HandBar::refusal() const
 {
-    // the shown number is rounded and must not be taken for a typed one
-    if (!field.edit->isModified())
-        return;
-    const QString text = field.edit->text().trimmed();
+    const auto broken = std::ranges::find_if(m_fields, [this](const Field& field) {
+        return field.edit->isVisibleTo(this) && field.edit->isBroken();
+    });
+    return broken == m_fields.end() ? QString() : broken->edit->complaint();
+}
+
+QString HandBar::complaintAbout(const Field& field, const QString& text) const
+{
+    if (text.trimmed().isEmpty())
+        return {};
+    const Typed typed = typedNumber(text.toStdString(), field.unit.toStdString());
+    if (!typed.number)
+        return tr("The number %1.").arg(translated(typed.complaint));
+    const double number = typed.number->appliedTo(field.value());
+    if (number >= field.low && number <= field.high)
+        return {};
+    return tr("The number must be from %1 to %2 %3.")
+        .arg(shortText(field.low), shortText(field.high), field.unit);
+}
+
+// Of a text that nothing is wrong with.
+void HandBar::take(const Field& field, const QString& text)
+{
     const auto typed = typedNumber(text.toStdString(), field.unit.toStdString()).number;
-    const double number = typed ? typed->appliedTo(field.value()) : 0.0;
-    if (text.isEmpty())
-        field.set(std::nullopt);
-    else if (typed && number >= field.low && number <= field.high)
-        field.set(number);
-    field.edit->setText(field.isOwn() ? shortText(field.value()) : QString());
+    field.set(typed ? std::optional(typed->appliedTo(field.value())) : std::nullopt);
     refresh();
 }
 

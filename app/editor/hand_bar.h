@@ -15,7 +15,6 @@
 
 class QAction;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace ripstop {
@@ -23,6 +22,7 @@ namespace ripstop {
 class Actions;
 class Document;
 class Player;
+class ValueEdit;
 class Viewport;
 
 class HandBar final : public ViewBar
@@ -41,7 +41,7 @@ private:
     {
         QAction* tool;
         QWidget* row;
-        QLineEdit* edit;
+        ValueEdit* edit;
         QString unit;
         double low, high;
         std::function<double()> value;
@@ -58,7 +58,9 @@ private:
     void layOut(QAction* through);
     void addField(const QString& name, Field field, const QString& help);
     void addFields();
-    void take(const Field& field);
+    QString refusal() const override;
+    QString complaintAbout(const Field& field, const QString& text) const; // empty when it is fine
+    void take(const Field& field, const QString& text);
     const Hint* shown() const;
 
     Document& m_document;

@@ -1,6 +1,5 @@
 // settle() gives a bar its place: as wide as its words in one line, where that leaves the strip of
-// tools free, else from the strip to the other edge with its words in several lines. complain()
-// shows what is wrong with the numbers that are seen at the moment.
+// tools free, else from the strip to the other edge with its words in several lines.
 #include "editor/view_bar.h"
 
 #include "icons/complaint.h"
@@ -41,7 +40,7 @@ ViewBar::ViewBar(Viewport& viewport, const QString& name)
 
 void ViewBar::settle()
 {
-    complain();
+    m_complaint->tell(refusal());
     for (QLabel* words : {m_hint, static_cast<QLabel*>(m_complaint)})
         words->setWordWrap(false);
     layout()->activate();
@@ -56,12 +55,12 @@ void ViewBar::settle()
     tellView();
 }
 
-void ViewBar::complain()
+QString ViewBar::refusal() const
 {
     const auto wrong = std::ranges::find_if(m_numbers, [this](const ParameterField* number) {
         return number->isVisibleTo(this) && !number->refusal().isEmpty();
     });
-    m_complaint->tell(wrong == m_numbers.end() ? QString() : (*wrong)->refusal());
+    return wrong == m_numbers.end() ? QString() : (*wrong)->refusal();
 }
 
 // From the strip of tools, wherever it ends, to the other edge; over the strip only where the view

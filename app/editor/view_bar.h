@@ -37,16 +37,18 @@ protected:
     QComboBox* chooser(const QString& name, const QString& help, const QStringList& choices,
                        int chosen, const std::function<void(int)>& choose);
 
-    // What cannot be read, or is out of range, is not taken; m_complaint says what is wanted.
+    // What is wrong with what is typed into it, where that is seen; empty while nothing is.
+    virtual QString refusal() const;
+
+    // What cannot be read, or is out of range, is not taken, and refusal() says what is wanted.
     ParameterField* numberField(const Parameter& parameter, double value,
                                 const std::function<void(double)>& take);
 
     Viewport& m_viewport;
     QLabel* m_hint;         // what the tool does; in several lines where there is no room for one
-    Complaint* m_complaint; // of the first number that is shown and cannot be taken
+    Complaint* m_complaint; // says refusal() below all else
 
 private:
-    void complain();
     QRect inSeveralLines();
     void tellView();
 

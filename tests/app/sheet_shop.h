@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/window_shop.h"
+#include "icons/complaint.h"
 #include "views/small_scenes.h"
 
 #include <QLineEdit>
@@ -96,6 +97,13 @@ struct Shop : WindowShop
         edit->selectAll();
         QTest::keyClicks(edit, text);
         QTest::keyClick(edit, Qt::Key_Return);
+    }
+    QString complaint() const // of a bar in the view; empty without any
+    {
+        for (const Complaint* complaint : viewport.findChildren<Complaint*>())
+            if (complaint->isVisible())
+                return complaint->text();
+        return {};
     }
 };
 

@@ -260,9 +260,14 @@ private slots:
         shop.type("Stiffness", "250");
         QCOMPARE(hands.stiffness, std::optional(250.0));
         QCOMPARE(shop.window.focusWidget(), &shop.viewport);
-        shop.type("Stiffness", "nonsense");
+        shop.type("Stiffness", "nonsense"); // stays, with a word on it, until it is mended
         QCOMPARE(hands.stiffness, std::optional(250.0));
+        QCOMPARE(shop.field("Stiffness")->text(), QString("nonsense"));
+        QCOMPARE(shop.window.focusWidget(), shop.field("Stiffness"));
+        QVERIFY(shop.complaint().startsWith("The number "));
+        QTest::keyClick(shop.field("Stiffness"), Qt::Key_Escape);
         QCOMPARE(shop.field("Stiffness")->text(), QString("250"));
+        QVERIFY(shop.complaint().isEmpty());
         shop.field("Stiffness")->selectAll();
         QTest::keyClick(shop.field("Stiffness"), Qt::Key_Delete);
         QTest::keyClick(shop.field("Stiffness"), Qt::Key_Return);
@@ -273,6 +278,7 @@ private slots:
         QVERIFY(std::abs(hands.fanSpeed - 10.0) < 1e-9);
         shop.type("Speed", "1000"); // no fan
         QVERIFY(std::abs(hands.fanSpeed - 10.0) < 1e-9);
+        QVERIFY(shop.complaint().contains(" m/s"));
         QTest::keyClick(&shop.viewport, Qt::Key_Escape);
         QVERIFY(!shop.field("Speed")->isVisible());
         QVERIFY(shop.window.actions()["toolPointer"]->isChecked());

@@ -120,6 +120,9 @@ private slots:
         QTest::keyClick(line, Qt::Key_Return);
         QTRY_COMPARE(desk.value(Id{3}, "mass"), Value(0.025)); // editors commit a moment later
         QCOMPARE(desk.document.history().count(), 1);
+        const QString told = desk.document.history().undoText();
+        QVERIFY2(told.startsWith("Set mass of ") && told.endsWith(QStringLiteral("to 25\u00a0g")),
+                 qPrintable(told));
         desk.document.history().undo();
         QVERIFY(desk.value(Id{3}, "mass") != Value(0.025));
 

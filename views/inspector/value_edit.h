@@ -30,6 +30,7 @@ public:
     void show(const QString& text, const QString& hint = {});
 
     bool isBroken() const { return !m_complaint.isEmpty(); }
+    const QString& complaint() const { return m_complaint; }
     void leave(); // commits or reverts what was typed, as when the focus goes
 
 signals:

@@ -8,6 +8,7 @@
 #include "table/sheet_model.h"
 
 #include "document/document.h"
+#include "document/edit_words.h"
 #include "document/words.h"
 
 #include <QColor>
@@ -229,8 +230,8 @@ bool SheetModel::setData(const QModelIndex& index, const QVariant& value, int ro
         return false;
     }
     emit refused({});
-    edit->label =
-        Message::verbatim(tr("Set %1").arg(labelOf(*column.property).toLower()).toStdString());
+    if (const auto* set = std::get_if<SetValues>(&edit->changes.front()))
+        edit->label = settingLabel(m_document.scene(), *column.property, set->targets, set->values);
     m_document.push(std::move(*edit));
     return true;
 }
