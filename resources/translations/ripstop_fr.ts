@@ -570,16 +570,6 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>Wind %1 comes again after %2 s, before it has ended at %3 s: make the interval as long as the duration or longer, or 0 for one gust.</source>
-        <translation>Le vent %1 revient après %2 s, avant de finir à %3 s : rendez l’intervalle au moins aussi long que la durée, ou nul pour une seule rafale.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Wind %1 is over in %2 s, less than ten steps of %3 s: make it longer, or the time step shorter.</source>
-        <translation>Le vent %1 est fini en %2 s, moins de dix pas de %3 s : allongez-le, ou raccourcissez le pas de temps.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
         <source>Materials #%1 and #%2 are both called %3, and a path of that name means the first: rename one.</source>
         <translation>Les matériaux #%1 et #%2 s’appellent tous deux %3, et un chemin de ce nom désigne le premier : renommez-en un.</translation>
     </message>
@@ -622,6 +612,16 @@
         <location filename="check.cpp"/>
         <source>Wind %1 blows with %2 m/s, and a run stops where something goes faster than the speed limit of %3 m/s: check the unit.</source>
         <translation>Le vent %1 souffle à %2 m/s, et un calcul s’arrête dès que quelque chose dépasse la vitesse limite de %3 m/s : vérifiez l’unité.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Wind %1 comes again after %2 s, before it has ended at %3 s: make the interval as long as the duration or longer, or 0 for one gust.</source>
+        <translation>Le vent %1 revient après %2 s, avant de finir à %3 s : rendez l’intervalle au moins aussi long que la durée, ou nul pour une seule rafale.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Wind %1 is over in %2 s, less than ten steps of %3 s: make it longer, or the time step shorter.</source>
+        <translation>Le vent %1 est fini en %2 s, moins de dix pas de %3 s : allongez-le, ou raccourcissez le pas de temps.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -2024,6 +2024,26 @@
         <location filename="edit_rows.cpp"/>
         <source>Theme, language and memory, on one page.</source>
         <translation>Thème, langue et mémoire, sur une page.</translation>
+    </message>
+    <message>
+        <location filename="edit_words.cpp"/>
+        <source>Set %1 of %2</source>
+        <translation>Régler %1 de %2</translation>
+    </message>
+    <message>
+        <location filename="edit_words.cpp"/>
+        <source>Set %1 of %2 to %3</source>
+        <translation>Régler %1 de %2 à %3</translation>
+    </message>
+    <message>
+        <location filename="edit_words.cpp"/>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <location filename="edit_words.cpp"/>
+        <source>yes</source>
+        <translation>oui</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
@@ -3643,6 +3663,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="hand_bar.cpp"/>
         <source>The most that the hand pulls with, however far it goes. Empty, it is five times the weight of all that is free, and 5 N or more.</source>
         <translation>La plus grande force de la main, aussi loin qu’elle aille. Vide, c’est cinq fois le poids de tout ce qui est libre, et au moins 5 N.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>The number %1.</source>
+        <translation>Le nombre %1.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>The number must be from %1 to %2 %3.</source>
+        <translation>Le nombre doit être de %1 à %2 %3.</translation>
     </message>
     <message>
         <location filename="hand_bar.cpp"/>
@@ -7387,6 +7417,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="point_scene.cpp"/>
+        <source>Set %1</source>
+        <translation>Régler %1</translation>
+    </message>
+    <message>
+        <location filename="point_scene.cpp"/>
         <source>a component of %1 %2</source>
         <translation>une composante de %1 %2</translation>
     </message>
@@ -9350,11 +9385,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="sheet_model.cpp"/>
-        <source>Set %1</source>
-        <translation>Régler %1</translation>
-    </message>
-    <message>
-        <location filename="sheet_model.cpp"/>
         <source>The number by which files and paths name the thing.</source>
         <translation>Le numéro par lequel fichiers et chemins nomment la chose.</translation>
     </message>
@@ -10695,26 +10725,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="study_view_files.cpp"/>
         <source>Pictures (*.svg *.pdf *.png);;Tables (*.csv)</source>
         <translation>Images (*.svg *.pdf *.png);;Tableaux (*.csv)</translation>
-    </message>
-    <message>
-        <location filename="subject.cpp"/>
-        <source>Set %1 of %2</source>
-        <translation>Régler %1 de %2</translation>
-    </message>
-    <message>
-        <location filename="subject.cpp"/>
-        <source>Set %1 of %2 to %3</source>
-        <translation>Régler %1 de %2 à %3</translation>
-    </message>
-    <message>
-        <location filename="subject.cpp"/>
-        <source>no</source>
-        <translation>non</translation>
-    </message>
-    <message>
-        <location filename="subject.cpp"/>
-        <source>yes</source>
-        <translation>oui</translation>
     </message>
     <message>
         <location filename="suggested_variable.cpp"/>
@@ -14435,6 +14445,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>One sided</source>
         <translation>D’un seul sens</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Onset</source>
+        <translation>Début</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -18517,11 +18532,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="variable_row.cpp"/>
         <source>Sets %1</source>
         <translation>Règle %1</translation>
-    </message>
-    <message>
-        <location filename="variable_row.cpp"/>
-        <source>The number %1.</source>
-        <translation>Le nombre %1.</translation>
     </message>
     <message>
         <location filename="variable_row.cpp"/>

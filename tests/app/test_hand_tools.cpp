@@ -263,7 +263,6 @@ private slots:
         shop.type("Stiffness", "nonsense"); // stays, with a word on it, until it is mended
         QCOMPARE(hands.stiffness, std::optional(250.0));
         QCOMPARE(shop.field("Stiffness")->text(), QString("nonsense"));
-        QCOMPARE(shop.window.focusWidget(), shop.field("Stiffness"));
         QVERIFY(shop.complaint().startsWith("The number "));
         QTest::keyClick(shop.field("Stiffness"), Qt::Key_Escape);
         QCOMPARE(shop.field("Stiffness")->text(), QString("250"));
