@@ -9,6 +9,7 @@
 #include "export/output_files.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <map>
 #include <string>
@@ -273,14 +274,16 @@ public:
     explicit Hdf5(std::filesystem::path target)
         : m_target(std::move(target))
     {
+        H5dont_atexit(); // which would close again, and crash, what a full disk did not let it close
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it prints what it returns as well
     }
     ~Hdf5() override { closeAll(); }
 
     std::optional<Failure> add(const Frame& frame) override
     {
+        errno = 0;
         if (m_count == 0 && !begin(frame))
-            return unwritten();
+            return notWritten(m_target);
         if (!m_mesh || !m_mesh->isOf(frame)) {
             m_mesh.reset();
             m_mesh.emplace(m_file->get(), m_meshes++, m_count, frame);
@@ -293,14 +296,15 @@ public:
         }
         ++m_count;
         if (!isSound)
-            return unwritten();
+            return notWritten(m_target);
         return std::nullopt;
     }
 
     std::optional<Failure> finish(const Progress&) override
     {
+        errno = 0;
         if (m_count > 0 && !closeAll())
-            return unwritten();
+            return notWritten(m_target);
         return m_files.commit();
     }
 
@@ -337,8 +341,6 @@ private:
         m_file.reset();
         return isWhole;
     }
-
-    Failure unwritten() const { return notWritten(m_target, Message("the disk does not answer")); }
 
     OutputFiles m_files;
     std::filesystem::path m_target;

@@ -24,12 +24,6 @@ bool isTaken(const fs::path& target)
     return fs::is_directory(target, error) || isDevice(target);
 }
 
-Message reason()
-{
-    return errno ? Message::verbatim(std::generic_category().message(errno))
-                 : Message("the disk does not answer");
-}
-
 } // namespace
 
 Failure notWritten(const fs::path& file, const Message& why)
@@ -38,13 +32,19 @@ Failure notWritten(const fs::path& file, const Message& why)
                    why);
 }
 
+Failure notWritten(const fs::path& file)
+{
+    return notWritten(file, errno ? Message::verbatim(std::generic_category().message(errno))
+                                  : Message("the disk does not answer"));
+}
+
 std::optional<Failure> close(std::ofstream& out, const fs::path& file)
 {
     if (out) // or it holds why an earlier write failed
         errno = 0;
     out.close();
     if (!out)
-        return notWritten(file, reason());
+        return notWritten(file);
     return std::nullopt;
 }
 
@@ -87,11 +87,11 @@ Result<std::ofstream> OutputFiles::open(const fs::path& target)
     const fs::path written = partBeside(target);
     errno = 0;
     if (!makeEmpty(written))
-        return notWritten(target, reason());
+        return notWritten(target);
     m_files.push_back({written, target});
     std::ofstream out(written, std::ios::binary);
     if (!out)
-        return notWritten(target, reason());
+        return notWritten(target);
     return out;
 }
 
@@ -117,11 +117,11 @@ Result<std::fstream> OutputFiles::scratch(const fs::path& besides)
     const fs::path written = partBeside(besides);
     errno = 0;
     if (!makeEmpty(written))
-        return notWritten(besides, reason());
+        return notWritten(besides);
     m_files.push_back({written, {}});
     std::fstream file(written, std::ios::binary | std::ios::in | std::ios::out);
     if (!file)
-        return notWritten(besides, reason());
+        return notWritten(besides);
     return file;
 }
 

@@ -52,8 +52,9 @@ private:
     std::vector<std::filesystem::path> m_newFolders;
 };
 
-// Why a stream could not be written, as the system says it.
+// Why a file could not be written; without a reason, as errno has it.
 Failure notWritten(const std::filesystem::path& file, const Message& why);
+Failure notWritten(const std::filesystem::path& file);
 
 // Closes it; the failure of any write, or nothing.
 std::optional<Failure> close(std::ofstream& out, const std::filesystem::path& file);

@@ -12,6 +12,7 @@
 
 #ifdef RIPSTOP_HAS_HDF5
 #include <hdf5.h>
+#include <sys/resource.h>
 #endif
 
 namespace ripstop::test_hdf5 {
@@ -96,6 +97,30 @@ private slots: // moc does not see what the compiler is told, so they are the sa
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"flight.h5"});
         const auto failure = writeSeries(frames, {}, "/nowhere/flight.h5");
         QVERIFY(failure && failure->message.english().find("/nowhere/flight.h5") == 0);
+#endif
+    }
+
+    // The limit on the size of files makes the library fail in its middle, and it cannot close what
+    // it could not write.
+    void fillsTheDisk()
+    {
+#ifdef RIPSTOP_HAS_HDF5
+        const QTemporaryDir folder;
+        QProcess program;
+        program.setChildProcessModifier([] {
+            const rlimit limit{200'000, 200'000};
+            ::setrlimit(RLIMIT_FSIZE, &limit);
+        });
+        program.setWorkingDirectory(folder.path());
+        program.start(CLI_PROGRAM, {"export", SCENES_DIR "/delta_kite.ripstop.json", "-o",
+                                    "kite.h5", "--to", "5"});
+        QVERIFY(program.waitForFinished(120000));
+        const QString said = program.readAllStandardError();
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QVERIFY2(program.exitCode() == 1
+                     && said.contains("kite.h5 was not written: File too large"),
+                 qPrintable(said));
+        QVERIFY(QDir(folder.path()).isEmpty());
 #endif
     }
 
