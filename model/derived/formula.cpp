@@ -81,6 +81,25 @@ Message unknown(const Fault& error, long place)
     return Message("the sign at character %1 means nothing in a formula", place);
 }
 
+Message misplacedComma(long place)
+{
+    return Message("the comma at character %1 is out of place; decimals have a point", place);
+}
+
+// Outside of all brackets, where it would end one formula and begin another; counted from 1.
+long commaBetweenFormulas(std::string_view text)
+{
+    int depth = 0;
+    long place = 0;
+    for (const unsigned char sign : text) {
+        place += (sign & 0xC0U) != 0x80U;
+        depth += sign == '(' ? 1 : sign == ')' ? -1 : 0;
+        if (sign == ',' && depth == 0)
+            break;
+    }
+    return place;
+}
+
 // A function and a text in quotation marks are told without their place, as muParser gives that of
 // what follows them.
 Message faultOf(const Fault& error, std::string_view text)
@@ -95,7 +114,7 @@ Message faultOf(const Fault& error, std::string_view text)
     case mu::ecUNEXPECTED_EOF:
         return Message("it ends where a number or a name has to follow");
     case mu::ecUNEXPECTED_ARG_SEP:
-        return Message("the comma at character %1 is out of place; decimals have a point", place);
+        return misplacedComma(place);
     case mu::ecUNEXPECTED_PARENS:
         if (token == ")")
             return Message("the \")\" at character %1 comes too early or has no \"(\" before it",
@@ -171,6 +190,9 @@ public:
         const double number = m_parser.Eval();
         return !m_used.empty() || std::isfinite(number);
     }
+
+    // Of the last time that it was evaluated; commas stand between several.
+    int results() const { return m_parser.GetNumResults(); }
 
     // The dimension of the result; nothing when unlike things are added. A result that depends on
     // an angle by no power, as a sine does, measures no angle. Plain numbers make plain numbers,
@@ -287,7 +309,10 @@ Result<Formula> Formula::read(std::string_view text, std::span<const Name> names
         return Failure{"it is empty; write one like line_tension / weight"};
     try {
         auto parts = std::make_unique<Parts>(text, names);
-        if (!parts->isNumber())
+        const bool isNumber = parts->isNumber();
+        if (parts->results() > 1)
+            return Failure{misplacedComma(commaBetweenFormulas(text))};
+        if (!isNumber)
             return Failure{"it gives no finite number, as 1/0 does; check what it divides by"};
         const auto dimension = parts->dimension();
         if (!dimension)

@@ -335,7 +335,7 @@ private slots:
                                  << "no finite number";
         // the faults that its parser knows, in sentences that are translated; characters are
         // counted from 1
-        const std::array<std::pair<const char*, const char*>, 18> faults{{
+        const std::array<std::pair<const char*, const char*>, 20> faults{{
             {"weight *", "it ends where a number or a name has to follow"},
             {"weight height", "a sign such as * is missing before \"height\" at character 8"},
             {"2 weight", "a sign such as * is missing before \"weight\" at character 3"},
@@ -347,6 +347,8 @@ private slots:
             {"weight)", "the \")\" at character 7 comes too early or has no \"(\" before it"},
             {"(2*)", "the \")\" at character 4 comes too early or has no \"(\" before it"},
             {"2*,3", "the comma at character 3 is out of place"},
+            {"0,5*weight", "the comma at character 2 is out of place; decimals have a point"},
+            {"max(1, 2) + 1,5", "the comma at character 14 is out of place"},
             {"sin(1, 2)", "the function \"sin\" has too many values in its brackets"},
             {"sin()", "the function \"sin\" has too few values in its brackets"},
             {"sin", "the function \"sin\" has no brackets behind it: sin(...)"},
