@@ -267,6 +267,11 @@ void addOrders(Sweep& sweep, std::size_t scene)
 // Refuses what can be refused before the first run. Returns the exit code.
 int prepare(const SweepOptions& options, Sweep& sweep)
 {
+    if (options.from > 0.0 && options.from >= options.seconds)
+        return fail(WrongUsage,
+                    "--from: the runs are over at " + shortNumber(options.seconds)
+                        + " s, before anything is measured; begin earlier, or take more "
+                          "--seconds.");
     for (const std::string& text : options.sweeps) {
         auto axis = sweepAxis(text);
         if (!axis)
@@ -275,6 +280,9 @@ int prepare(const SweepOptions& options, Sweep& sweep)
             return fail(WrongUsage, "--sweep " + text
                                         + ": a sweep flies one control track, --controls FILE; a "
                                           "study varies them.");
+        if (std::ranges::find(sweep.axes, axis->path, &SweepAxis::path) != sweep.axes.end())
+            return fail(WrongUsage, "--sweep " + text + ": " + axis->path
+                                        + " is varied twice; put all of its values into one list.");
         sweep.axes.push_back(std::move(*axis));
     }
     if (const auto failure = findCloths(options.cloths, sweep.cloths))

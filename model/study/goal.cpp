@@ -36,20 +36,16 @@ double objectiveOf(const Objective& objective, double value)
     return value;
 }
 
-double excessOf(const Constraint& constraint, double value, const FlightResult& flight)
+double excessOf(const Constraint& constraint, double value)
 {
     const double size = constraint.limit != 0.0 ? std::abs(constraint.limit) : 1.0;
-    switch (constraint.kind) {
-    case Constraint::Kind::AtMost:
-        return (value - constraint.limit) / size;
-    case Constraint::Kind::AtLeast:
-        return (constraint.limit - value) / size;
-    case Constraint::Kind::Outcome:
-        break;
-    }
-    const bool isBroken =
-        constraint.outcome == WantedOutcome::NoTear ? flight.torn > 0 : !flight.inaccurate.empty();
-    return isBroken ? 1.0 : -1.0;
+    const double beyond = (value - constraint.limit) / size;
+    return constraint.kind == Constraint::Kind::AtMost ? beyond : -beyond;
+}
+
+bool hasCome(WantedOutcome outcome, const FlightResult& flight)
+{
+    return outcome == WantedOutcome::NoTear ? flight.torn == 0 : flight.inaccurate.empty();
 }
 
 } // namespace
@@ -58,7 +54,7 @@ double Score::violation() const
 {
     if (!isWhole)
         return std::numeric_limits<double>::infinity();
-    double sum = 0.0;
+    double sum = brokenOutcomes;
     for (const double one : excess)
         sum += std::max(0.0, one);
     return sum;
@@ -86,7 +82,6 @@ Score scoreOf(const OpenedStudy& opened, const FlightResult& flight)
     score.isWhole = !flight.endedEarly() && hasNumbers(opened, flight);
     if (!score.isWhole) {
         score.objective.assign(study.objectives.size(), std::numeric_limits<double>::infinity());
-        score.excess.assign(study.constraints.size(), 1.0);
         return score;
     }
     for (std::size_t i = 0; i < study.objectives.size(); ++i)
@@ -94,9 +89,10 @@ Score scoreOf(const OpenedStudy& opened, const FlightResult& flight)
             objectiveOf(study.objectives[i], flight.measured[opened.wanted[i]]));
     for (std::size_t i = 0; i < study.constraints.size(); ++i) {
         const Constraint& constraint = study.constraints[i];
-        const bool isMeasured = constraint.kind != Constraint::Kind::Outcome;
-        score.excess.push_back(excessOf(
-            constraint, isMeasured ? flight.measured[opened.constrained[i]] : 0.0, flight));
+        if (constraint.kind == Constraint::Kind::Outcome)
+            score.brokenOutcomes += hasCome(constraint.outcome, flight) ? 0 : 1;
+        else
+            score.excess.push_back(excessOf(constraint, flight.measured[opened.constrained[i]]));
     }
     return score;
 }

@@ -48,9 +48,10 @@ struct Constraint
 struct Score
 {
     std::vector<double> objective; // [objectives] less is better; all infinite unless it is whole
-    std::vector<double> excess;    // [constraints] above 0 where it is broken: the share of the
-                                   // limit, or 1 for an outcome that is not as wanted
-    bool isWhole = false;          // the flight came to its end and has all numbers
+    std::vector<double> excess; // [constraints with a limit] 1, of the limit; above 0 where it is
+                                // broken
+    bool isWhole = false;       // the flight came to its end and has all numbers
+    int brokenOutcomes = 0;     // wanted outcomes that did not come
 
     // 0 when all constraints hold, infinite of what is not whole.
     double violation() const;

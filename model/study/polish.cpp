@@ -30,7 +30,7 @@ double valueAt(unsigned count, const double* x, double*, void* data)
     auto& replay = *static_cast<Replay*>(data);
     if (replay.asked < replay.known.size()) {
         const Score& score = replay.known[replay.asked++];
-        return score.isWhole ? score.objective.front() : replay.worst;
+        return score.isWhole && score.brokenOutcomes == 0 ? score.objective.front() : replay.worst;
     }
     if (replay.unknown.empty())
         replay.unknown.assign(x, x + count);
@@ -42,8 +42,9 @@ double valueAt(unsigned count, const double* x, double*, void* data)
 void excessAt(unsigned constraints, double* excess, unsigned, const double*, double*, void* data)
 {
     const auto& replay = *static_cast<Replay*>(data);
+    const Score* score = replay.asked > 0 ? &replay.known[replay.asked - 1] : nullptr;
     for (unsigned i = 0; i < constraints; ++i)
-        excess[i] = replay.asked > 0 ? replay.known[replay.asked - 1].excess[i] : 0.0;
+        excess[i] = score ? (score->isWhole ? score->excess[i] : 1.0) : 0.0;
 }
 
 } // namespace

@@ -18,9 +18,10 @@ class Polish
 public:
     static bool isThere(); // whether NLopt was there when this was built
 
-    //   constraints  how many a score has
+    //   constraints  how many with a limit a score has
     //   count        evaluations at most
-    //   worst        the value of places where the flight was not whole
+    //   worst        the value of places where the flight was not whole or an outcome is not as
+    //                wanted: outcomes have no slope to follow, and are a wall
     Polish(SharePlace start, std::size_t constraints, std::size_t count, double worst)
         : m_start(std::move(start))
         , m_constraints(constraints)

@@ -225,12 +225,19 @@ void checkGoals(const Study& study, std::optional<StudyFault>& fault)
 // A grid needs values, and what draws needs something to draw from.
 void checkVariables(const Study& study, std::optional<StudyFault>& fault)
 {
-    std::set<std::string> names;
+    std::set<std::string> names, paths;
     for (std::size_t v = 0; v < study.variables.size() && !fault; ++v) {
         const StudyVariable& variable = study.variables[v];
         const std::string place = "variables[" + std::to_string(v) + ']';
         if (!names.insert(variable.name).second)
             fault = {place, Message("has two variables that are called %1", variable.name)};
+        else if (const auto again = std::ranges::find_if(
+                     variable.paths, [&](const auto& path) { return !paths.insert(path).second; });
+                 again != variable.paths.end())
+            fault = {place,
+                     Message("sets %1 a second time, and one value alone can be flown; leave "
+                             "it out of all but one variable",
+                             *again)};
         else if (study.plan.goesThroughValues() && variable.values.empty())
             fault = {place, Message("has a plan that goes through values, and the variable %1 has "
                                     "none; give it \"values\", or \"from\", \"to\" and "

@@ -261,6 +261,22 @@ private slots:
         QVERIFY(std::abs(parabola.xOf(looked.places[looked.best()]) - 1.0) < 1e-4);
     }
 
+    // Of an outcome that comes below 13.7 only, which has no slope: the largest of the values that
+    // have it.
+    void findsTheEdgeOfAnOutcome()
+    {
+        if (!Polish::isThere())
+            return;
+        const Problem edge{5.0, 25.0, 0.0, 1.0, [](double x, double) {
+                               Score score = scoreOfValues({-x});
+                               score.brokenOutcomes = x > 13.7 ? 1 : 0;
+                               return score;
+                           }};
+        const Looked looked = look(planOf(StudyPlan::Method::ParticleSwarm, 6, 4, 40), edge, 1);
+        const double best = edge.xOf(looked.places[looked.best()]);
+        QVERIFY2(best > 13.69 && best <= 13.7, qPrintable(QString::number(best)));
+    }
+
     void findsTheFrontOfSchaffer()
     {
         const Problem schaffer{-10.0, 10.0, 0.0, 1.0, [](double x, double) {

@@ -239,6 +239,10 @@ private slots:
         QTest::newRow("downwards") << R"("seconds": 1, "variables": [{"paths": ["a"], "from": 2,
                                         "to": 1, "count": 4}])"
                                    << "variables[0].from";
+        QTest::newRow("one path in two variables")
+            << R"("seconds": 1, "variables": [{"name": "one", "paths": ["a"], "values": [1, 2]},
+                  {"name": "other", "paths": ["b", "a"], "values": [3, 4]}])"
+            << "sets a a second time";
         QTest::newRow("plan") << R"("seconds": 1, "variables": [], "plan": {"kind": "gird"})"
                               << "plan.kind";
         QTest::newRow("count") << R"("seconds": 1, "variables": [], "plan": {"kind": "sobol"})"
