@@ -4,8 +4,8 @@
 // a recording, which carries the certificate to what is exported from it.
 #include "dialogs/certify_dialog.h"
 
-#include "dialogs/ask_file.h"
 #include "dialogs/work_dialog.h"
+#include "document/ask_file.h"
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "document/spoken.h"

@@ -6,7 +6,7 @@
 // clipboard and for files.
 #include "dialogs/result_page.h"
 
-#include "dialogs/ask_file.h"
+#include "document/ask_file.h"
 #include "document/plain_text.h"
 #include "io/csv.h"
 

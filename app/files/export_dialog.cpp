@@ -3,7 +3,7 @@
 // nothing can be. What is written, and how, is in export_dialog_work.cpp.
 #include "files/export_dialog.h"
 
-#include "dialogs/ask_file.h"
+#include "document/ask_file.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -5,7 +5,7 @@
 // recent files.
 #include "files/files.h"
 
-#include "dialogs/ask_file.h"
+#include "document/ask_file.h"
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "document/player.h"

@@ -5,8 +5,8 @@
 // the next run on.
 #include "files/run_files.h"
 
-#include "dialogs/ask_file.h"
 #include "dialogs/work_dialog.h"
+#include "document/ask_file.h"
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "document/recordings.h"

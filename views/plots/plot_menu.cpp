@@ -2,6 +2,7 @@
 // the chosen panel are drawn, its ranges, the panels themselves, and output to files and the
 // clipboard. Each choice changes a copy of the Plot that is shown and hands it to
 // PlotPanel::change(), which makes an edit of it when the scene keeps that Plot.
+#include "document/ask_file.h"
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "icons/icon.h"
@@ -11,7 +12,6 @@
 #include <QBuffer>
 #include <QClipboard>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QInputDialog>
@@ -174,8 +174,8 @@ QString PlotPanel::suggestedFile(const char* suffix) const
 
 void PlotPanel::saveCsv()
 {
-    const QString name = QFileDialog::getSaveFileName(this, tr("Save the curves"),
-                                                      suggestedFile(".csv"), tr("CSV (*.csv)"));
+    const QString name = askWhereToSave(this, tr("Save the curves"), suggestedFile(".csv"),
+                                        tr("CSV (*.csv)"), QStringLiteral("csv"));
     if (name.isEmpty())
         return;
     QSaveFile file(name);
@@ -192,8 +192,8 @@ void PlotPanel::saveCsv()
 void PlotPanel::savePicture()
 {
     const QString name =
-        QFileDialog::getSaveFileName(this, tr("Save the picture"), suggestedFile(".png"),
-                                     tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"));
+        askWhereToSave(this, tr("Save the picture"), suggestedFile(".png"),
+                       tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"), QStringLiteral("png"));
     if (name.isEmpty())
         return;
     if (ripstop::savePicture(view().plotInSight(), name))

@@ -1,6 +1,7 @@
 // What the view of a study writes: pictures, and tables of curves.
 #include "study/study_view.h"
 
+#include "document/ask_file.h"
 #include "document/document.h"
 #include "document/words.h"
 #include "io/whole_file.h"
@@ -11,7 +12,6 @@
 #include "study/percentile_chart.h"
 #include "study/study_chart.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
@@ -48,8 +48,8 @@ bool StudyView::writePicture(QCustomPlot& plot, const QString& file)
 void StudyView::saveCurvesAs()
 {
     const QString file =
-        QFileDialog::getSaveFileName(this, tr("Save the curves"), QStringLiteral("curves.svg"),
-                                     tr("Pictures (*.svg *.pdf *.png);;Tables (*.csv)"));
+        askWhereToSave(this, tr("Save the curves"), QStringLiteral("curves.svg"),
+                       tr("Pictures (*.svg *.pdf *.png);;Tables (*.csv)"), QStringLiteral("svg"));
     if (file.isEmpty())
         return;
     if (!file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
@@ -64,9 +64,8 @@ void StudyView::saveCurvesAs()
 
 void StudyView::savePictureAs()
 {
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Save the picture"), QStringLiteral("study.svg"),
-                                     tr("Pictures (*.svg *.pdf *.png)"));
+    const QString file = askWhereToSave(this, tr("Save the picture"), QStringLiteral("study.svg"),
+                                        tr("Pictures (*.svg *.pdf *.png)"), QStringLiteral("svg"));
     if (file.isEmpty())
         return;
     writePicture(*shownPlot(), file);

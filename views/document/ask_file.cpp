@@ -1,4 +1,4 @@
-#include "dialogs/ask_file.h"
+#include "document/ask_file.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
