@@ -96,7 +96,7 @@ struct Study
     std::string controls; // control track (io/control_track.h), or empty
     std::vector<StudyVariable> variables;
     StudyPlan plan;
-    double seconds = 0.0;          // s, of each flight
+    double seconds = 10.0;         // s, of each flight
     bool untilTear = false;        // a flight ends with its first tear
     std::vector<Measure> measures; // empty: last, mean, least and largest value of each probe
     std::vector<Objective> objectives;

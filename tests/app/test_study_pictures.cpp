@@ -201,6 +201,26 @@ private slots:
         QCOMPARE(shop.panel.view().selected(), (std::vector<std::size_t>{4, 5, 6, 7}));
     }
 
+    // The file of a study whose values cannot be set knows its design all the same.
+    void fliesOnceItsValuesAreMended()
+    {
+        StudyShop shop;
+        shop.shelf().study(shop.property(Kind::Settings, "gravity"), {settingsId});
+        shop.setSeconds(0.1);
+        Study study = shop.panel.form().study();
+        study.variables[0].values = {"6"};
+        shop.show(study);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QTRY_VERIFY2_WITH_TIMEOUT(shop.panel.state().contains("three numbers"),
+                                  qPrintable(shop.panel.state()), patience);
+        study = shop.panel.form().study();
+        study.variables[0].values = {"0,-9,0", "0,-8,0"};
+        shop.show(study);
+        QTest::mouseClick(&shop.button("Fly"), Qt::LeftButton);
+        QTRY_VERIFY2_WITH_TIMEOUT(shop.isDone() && shop.panel.runner().tally().flown == 2,
+                                  qPrintable(shop.panel.state()), patience);
+    }
+
     // Nothing is judged by the clock here, as other work may be on the machine; it is printed.
     void aHundredThousandRows()
     {

@@ -3,6 +3,7 @@
 // belong. m_fliesOnceOpen remembers that somebody has pressed Fly meanwhile.
 #include "study/study_panel.h"
 
+#include "document/ask_file.h"
 #include "document/document.h"
 #include "document/plain_text.h"
 #include "document/recordings.h"
@@ -34,7 +35,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double usualSeconds = 10.0;
 constexpr int formWidth = 320; // px
 
 QString studyFilter() { return StudyPanel::tr("Studies (*.ripstop-study.json);;All files (*)"); }
@@ -240,9 +240,7 @@ void StudyPanel::startNew()
     m_view->setStudy(nullptr, nullptr);
     m_file.clear();
     m_isEdited = true;
-    Study study;
-    study.seconds = usualSeconds;
-    showForm(study);
+    showForm({});
     m_pages->setCurrentIndex(1);
     showState();
 }
@@ -255,8 +253,7 @@ void StudyPanel::study(const Property& property, const std::vector<Id>& ids,
         emit said(translated(variable.message()));
         return;
     }
-    const bool isShown = m_pages->currentIndex() == 1;
-    if (!isShown || !(m_file.isEmpty() || isOfTheDesign()))
+    if (m_pages->currentIndex() != 1 || !(m_file.isEmpty() || isOfTheDesign()))
         startNew();
     m_form->add(std::move(*variable));
 }
@@ -345,6 +342,8 @@ bool StudyPanel::saveStudy()
         m_state->setText(translated(failure->message));
         return false;
     }
+    if (m_file.isEmpty())
+        showForm(study); // with its design, should it not open and be written once more
     m_file = file;
     return true;
 }
@@ -355,10 +354,9 @@ void StudyPanel::run()
         m_state->setText(tr("Nothing varies yet: choose Study this on a property."));
         return;
     }
-    const bool isOfOpen = m_runner->study() && !m_isEdited;
     if (isOfTheDesign() && m_document.isModified() && !m_saveDesign())
         return;
-    if (!isOfOpen && !saveStudy())
+    if ((!m_runner->study() || m_isEdited) && !saveStudy())
         return;
     // opened again in any case: the design may have been saved since
     m_fliesOnceOpen = true;
@@ -485,9 +483,9 @@ void StudyPanel::saveTable()
 {
     if (!m_runner->study())
         return;
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save the table"),
-                                                      QString(m_file).replace(ending(), ".csv"),
-                                                      tr("Tables (*.csv)"));
+    const QString file =
+        askWhereToSave(this, tr("Save the table"), QString(m_file).replace(ending(), ".csv"),
+                       tr("Tables (*.csv)"), QStringLiteral("csv"));
     if (file.isEmpty())
         return;
     if (const auto failure = replaceFile(
