@@ -264,6 +264,12 @@ private slots:
         QCOMPARE(desk.value(Id{3}, mass), Value(0.7));
         desk.document.history().undo(); // a switch is an edit like any other
         QCOMPARE(desk.value(Id{3}, mass), Value(0.1));
+        desk.panel.switchSets(); // it was undone, so that A is tuned, and B has kept its values
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.7));
+        desk.document.history().undo();
+        desk.document.history().redo();
+        desk.panel.switchSets();
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.1));
     }
 
     void resetGoesBackToWhatWasKept()

@@ -23,6 +23,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <ranges>
 
 namespace ripstop {
 
@@ -91,11 +92,13 @@ TuningPanel::TuningPanel(Document& document, Selection& selection, SliderShelf& 
 
     connect(&document, &Document::replaced, this, [this] {
         m_sets = {};
+        m_switches.clear();
         m_kept.clear();
         m_active = 0;
         rebuild();
     });
     connect(&document, &Document::changed, this, &TuningPanel::rebuild);
+    connect(&document.history(), &QUndoStack::indexChanged, this, &TuningPanel::followHistory);
     connect(&sliders, &SliderShelf::changed, this, &TuningPanel::rebuild);
     rebuild();
 }
@@ -268,6 +271,7 @@ void TuningPanel::switchSets()
 {
     if (m_rows.empty())
         return;
+    const int before = m_document.history().index();
     m_sets[std::size_t(m_active)] = captured();
     m_active = 1 - m_active;
     const Set& next = m_sets[std::size_t(m_active)];
@@ -275,8 +279,30 @@ void TuningPanel::switchSets()
         m_sets[std::size_t(m_active)] = captured(); // a set that is new begins as the other one
     else
         apply(Set(next), m_active == 0 ? tr("Tuning set A") : tr("Tuning set B"));
+    if (const QUndoStack& history = m_document.history(); history.index() > before)
+        m_switches.push_back({history.index(), history.command(history.index() - 1), m_active});
     showSets();
     emit setsSwitched();
+}
+
+// The set whose values undo and redo have brought back is the one that is tuned: the values of the
+// other must not be taken for its own.
+void TuningPanel::followHistory(int index)
+{
+    const QUndoStack& history = m_document.history();
+    std::erase_if(m_switches, [&](const Switch& one) {
+        return one.index > history.count() || history.command(one.index - 1) != one.command;
+    });
+    const int before = std::exchange(m_historyIndex, index);
+    int active = m_active;
+    for (const Switch& one : m_switches) // done again
+        if (before < one.index && one.index <= index)
+            active = one.set;
+    for (const Switch& one : m_switches | std::views::reverse) // undone
+        if (index < one.index && one.index <= before)
+            active = 1 - one.set;
+    if (std::exchange(m_active, active) != active)
+        showSets();
 }
 
 void TuningPanel::keep()

@@ -17,6 +17,7 @@
 
 class QPushButton;
 class QToolButton;
+class QUndoCommand;
 class QVBoxLayout;
 
 namespace ripstop {
@@ -54,6 +55,12 @@ private:
         std::vector<Value> values; // [ids]
     };
     using Set = std::vector<Held>;
+    struct Switch // an edit that has changed to the other set
+    {
+        int index; // of the history after it
+        const QUndoCommand* command;
+        int set; // that is tuned from then on
+    };
 
     void rebuild();
     void refresh();
@@ -61,6 +68,7 @@ private:
     Edit restoring(const Set& set, const QString& label) const;
     void apply(const Set& set, const QString& label);
     void showSets();
+    void followHistory(int index);
     QWidget* buildBar();
     QWidget* buildEmpty();
 
@@ -70,6 +78,8 @@ private:
     std::unique_ptr<UsageWatch> m_usage;
     std::vector<TuningRow*> m_rows; // owned by the layout
     std::array<Set, 2> m_sets;
+    std::vector<Switch> m_switches; // that the history has, in its order
+    int m_historyIndex = 0;         // that was seen last
     int m_active = 0;
     Set m_kept;
     QWidget* m_bar = nullptr;
