@@ -28,7 +28,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int fieldMargins = 18; // pixels, of a field beside its text
+constexpr int fieldMargins = 18;  // pixels, of a field beside its text
+constexpr int betweenFields = 12; // pixels, so that a unit does not run into the next name
 
 QString shortText(double value) { return compactNumber(QString::number(value, 'g', 4).toDouble()); }
 
@@ -42,7 +43,8 @@ HandBar::HandBar(Document& document, Player& player, Viewport& viewport, const A
     , m_hints{{actions["toolGrab"], tr("Grab"),
                tr("Drag fabric, lines, controls, colliders. Wheel: nearer or farther. P: pin.")},
               {actions["toolCut"], tr("Cut"),
-               tr("Draw across links and fabric. A right drag turns the view.")},
+               tr("Draw across links and fabric. Cuts belong to the run: Reset (Ctrl+R) takes them "
+                  "back. A right drag turns the view.")},
               {actions["toolFan"], tr("Fan"),
                tr("Hold the button and aim. Wheel: strength, with Ctrl: spread.")}}
     , m_title(new QLabel)
@@ -152,6 +154,7 @@ void HandBar::layOut(QAction* through)
     m_unpin->setFocusPolicy(Qt::NoFocus);
     m_unpin->setToolTip(tr("Let go of all that was pinned by hand in this run."));
     auto* above = new QHBoxLayout;
+    above->setSpacing(betweenFields);
     above->addWidget(m_title);
     for (const Field& field : m_fields)
         above->addWidget(field.row);

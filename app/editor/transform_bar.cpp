@@ -1,10 +1,11 @@
 // Stages: wordsOf() gives title, unit and help of each tool; layOut() makes the three numbers and
 // the four lists of choices. refresh() follows the tool: it writes the numbers of a drag, but
-// leaves what is being typed alone. take() reads all three numbers, has the tool apply them as one
-// change, and gives the focus back to the view so that its keys work again.
+// leaves what is being typed alone. take() reads all three numbers and has the tool apply them as
+// one change; where one of them is wrong it says so and changes nothing.
 #include "editor/transform_bar.h"
 
 #include "document/words.h"
+#include "icons/complaint.h"
 #include "scene/typed_number.h"
 #include "viewport/viewport.h"
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -24,20 +26,26 @@ struct Words
     QString title;
     QString unit;
     QString help;
+    double low, high; // of what can be typed
 };
+
+constexpr double farthest = 1e6; // m, degrees, or times; what is beyond is a slip of the hand
 
 Words wordsOf(Shaping shaping)
 {
     switch (shaping) {
     case Shaping::Move:
         return {TransformBar::tr("Move"), QStringLiteral("m"),
-                TransformBar::tr("How far along %1, in metres. Enter applies it.")};
+                TransformBar::tr("How far along %1, in metres. Enter applies it."), -farthest,
+                farthest};
     case Shaping::Turn:
         return {TransformBar::tr("Rotate"), QStringLiteral("\u00b0"),
-                TransformBar::tr("Angle about %1, in degrees. Enter applies it.")};
+                TransformBar::tr("Angle about %1, in degrees. Enter applies it."), -farthest,
+                farthest};
     case Shaping::Scale:
         return {TransformBar::tr("Scale"), QStringLiteral("\u00d7"),
-                TransformBar::tr("Factor along %1; 1 changes nothing. Enter applies it.")};
+                TransformBar::tr("Factor along %1; 1 changes nothing. Enter applies it."),
+                1.0 / farthest, farthest};
     case Shaping::None:
         break;
     }
@@ -83,6 +91,7 @@ void TransformBar::layOut()
         numbers->addWidget(label);
         numbers->addWidget(field);
         connect(field, &QLineEdit::returnPressed, this, &TransformBar::take);
+        connect(field, &QLineEdit::textEdited, this, [this] { complain({}); });
     }
     numbers->addWidget(m_unit);
     auto* choices = new QHBoxLayout;
@@ -117,6 +126,7 @@ void TransformBar::layOut()
     layout->addWidget(m_row);
     m_hint->setText(TransformTool::wayToDesign());
     layout->addWidget(m_hint);
+    layout->addWidget(m_complaint);
 }
 
 void TransformBar::refresh()
@@ -133,8 +143,7 @@ void TransformBar::refresh()
     }
     // what is being typed stays until a drag has numbers of its own
     if (shaping != m_shown || m_tool.isDragging() || m_wasDragging)
-        for (int axis = 0; axis < 3; ++axis)
-            m_numbers[std::size_t(axis)]->setText(numberText(m_tool.numbers()[axis]));
+        showNumbers();
     m_shown = shaping;
     m_wasDragging = m_tool.isDragging();
     m_row->setVisible(!waits);
@@ -144,19 +153,38 @@ void TransformBar::refresh()
         settle();
 }
 
-void TransformBar::take()
+void TransformBar::showNumbers()
 {
-    Vec3 numbers = m_tool.numbers(); // where a field cannot be read, its number stays as it is
-    const std::string unit =
-        m_tool.shaping() == Shaping::Scale ? std::string() : m_unit->text().toStdString();
-    for (int axis = 0; axis < 3; ++axis)
-        if (const Typed typed =
-                typedNumber(m_numbers[std::size_t(axis)]->text().toStdString(), unit);
-            typed.number)
-            numbers[axis] = typed.number->appliedTo(numbers[axis]);
-    m_tool.shape(numbers);
     for (int axis = 0; axis < 3; ++axis)
         m_numbers[std::size_t(axis)]->setText(numberText(m_tool.numbers()[axis]));
+    m_wrong.clear();
+}
+
+void TransformBar::complain(const QString& wrong)
+{
+    if (std::exchange(m_wrong, wrong) != wrong)
+        settle();
+}
+
+void TransformBar::take()
+{
+    const Words words = wordsOf(m_tool.shaping());
+    const std::string unit =
+        m_tool.shaping() == Shaping::Scale ? std::string() : words.unit.toStdString();
+    Vec3 numbers = m_tool.numbers();
+    for (int axis = 0; axis < 3; ++axis) {
+        const Typed typed = typedNumber(m_numbers[std::size_t(axis)]->text().toStdString(), unit);
+        if (!typed.number)
+            return complain(tr("The number %1.").arg(translated(typed.complaint)));
+        numbers[axis] = typed.number->appliedTo(numbers[axis]);
+        if (!(numbers[axis] >= words.low && numbers[axis] <= words.high))
+            return complain(
+                tr("The number must be from %1 to %2 %3.")
+                    .arg(compactNumber(words.low), compactNumber(words.high), words.unit));
+    }
+    m_tool.shape(numbers);
+    showNumbers();
+    settle();
 }
 
 } // namespace ripstop

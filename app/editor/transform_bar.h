@@ -30,13 +30,17 @@ public:
 private:
     void layOut();
     void refresh();
+    void showNumbers();
+    void complain(const QString& wrong);
     void take(); // applies what is typed
+    QString refusal() const override { return m_wrong; }
 
     TransformTool& m_tool;
     QLabel* m_title;
     std::array<QLineEdit*, 3> m_numbers;
     QLabel* m_unit;
     QWidget* m_row;
+    QString m_wrong; // with what was typed last
     Shaping m_shown = Shaping::None;
     bool m_wasDragging = false;
 };

@@ -9,6 +9,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
+#include "icons/complaint.h"
 #include "thread_time.h"
 #include "tools/pointing.h"
 #include "tools/transform_tool.h"
@@ -148,7 +149,20 @@ private slots:
         QTest::keyClick(x, Qt::Key_Return);
         QCOMPARE(shop.place(Id{3}), Vec3(1.25, 1, 0));
         QCOMPARE(x->text(), QString("0")); // ready for the next step
-        shop.run("move");
+        const auto refused = [&](const QString& typed) {
+            const Scene before = shop.scene();
+            x->setText(typed);
+            QTest::keyClick(x, Qt::Key_Return);
+            const auto* complaint = bar->findChild<Complaint*>();
+            return shop.scene() == before && x->text() == typed && complaint->isVisible();
+        };
+        QVERIFY(refused("abc"));
+        QVERIFY(refused("1e300"));
+        shop.run("scale");
+        QVERIFY(!bar->findChild<Complaint*>()->isVisible());
+        QVERIFY(refused("0"));
+        QVERIFY(refused("-1"));
+        shop.run("scale");
         QVERIFY(!bar->isVisible());
     }
 
