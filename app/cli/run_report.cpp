@@ -4,6 +4,7 @@
 #include "base/hash_text.h"
 #include "base/key_index.h"
 #include "check/strength_gaps.h"
+#include "derived/gust_now.h"
 #include "measure/diagnostics.h"
 #include "run/end_check.h"
 #include "run/has_margins.h"
@@ -318,6 +319,24 @@ void tellOpening(const Scene& scene, Json& result)
         result["loads"]["opening_safety_factor"] = openingSafetyFactor;
 }
 
+void tellGusts(const Scene& scene, Json& result)
+{
+    const double end = result["time"];
+    for (const Entry& entry : scene.items)
+        if (const Wind* wind = std::get_if<Wind>(&entry.item);
+            wind && wind->kind == WindKind::DiscreteGust && wind->onset >= end)
+            std::cerr << "ripstop-cli: warning: Wind " << wind->name << " blows its first gust at "
+                      << shortNumber(wind->onset) << " s, after the end of the run at "
+                      << shortNumber(end) << " s: take more seconds, or an earlier onset.\n";
+    Json& first = result["tear_report"]["first"];
+    if (first.is_null())
+        return;
+    if (const std::optional<GustNow> gust = gustNow(scene, first["time"]))
+        first["gust"] = {{"wind", nameOf(*findItem(scene, gust->wind))},
+                         {"number", gust->number},
+                         {"peak", gust->peak}};
+}
+
 void tellUnjudged(Json names, Json& result)
 {
     if (!result["loads"].is_null())
@@ -361,6 +380,13 @@ void printProfile(const Json& result)
     }
 }
 
+std::string gustWords(const Json& gust)
+{
+    return ", in gust " + std::to_string(gust["number"].get<long>()) + " of "
+           + gust["wind"].get<std::string>() + ", which peaks at " + shortNumber(gust["peak"])
+           + " m/s";
+}
+
 void printRunTable(const Json& result, const Layout& layout)
 {
     printReportRow("time", shortNumber(result["time"]) + " s, "
@@ -375,8 +401,10 @@ void printRunTable(const Json& result, const Layout& layout)
         const Json& end = tears["front"].back();
         const Json& first = tears["first"];
         const std::string kind = first.contains("panel") ? "panel" : "link";
-        printReportRow("first tear", shortNumber(first["time"]) + " s, " + kind + ' '
-                                         + std::to_string(first[kind].get<long>()));
+        printReportRow("first tear",
+                       shortNumber(first["time"]) + " s, " + kind + ' '
+                           + std::to_string(first[kind].get<long>())
+                           + (first.contains("gust") ? gustWords(first["gust"]) : std::string()));
         printReportRow("tears reach", shortNumber(end["distance"])
                                           + " m from there in the design, at "
                                           + shortNumber(end["time"]) + " s");

@@ -20,6 +20,10 @@ Json namesWithoutStrength(const Scene& scene);
 // Puts them into the report; says it where there is nothing but them.
 void tellUnjudged(Json names, Json& result);
 
+// Puts into the report in which discrete gust the first tear was, and says it of one that begins
+// after the end of the run.
+void tellGusts(const Scene& scene, Json& result);
+
 // Puts into the loads which safety factor makes up for opening loads that are too low, if any are.
 void tellOpening(const Scene& scene, Json& result);
 

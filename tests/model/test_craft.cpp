@@ -7,6 +7,7 @@
 #include "registered_test.h"
 
 #include "builders/builder.h"
+#include "derived/gust_now.h"
 #include "derived/tear_bounds.h"
 #include "materials/presets.h"
 #include "measure/diagnostics.h"
@@ -182,6 +183,11 @@ private slots:
         const double since = tears[0].time - train->onset - (gust - 1) * train->interval;
         QVERIFY2(since > 0.0 && since < train->duration,
                  qPrintable(QString::number(tears[0].time)));
+        const std::optional<GustNow> blows = gustNow(scene, tears[0].time);
+        QVERIFY(blows && blows->number == gust && blows->repeats);
+        QCOMPARE(blows->peak, gust * train->velocity.norm());
+        QVERIFY(!gustNow(scene, train->onset - 0.01));
+        QVERIFY(!gustNow(scene, train->onset + train->duration + 0.01)); // the next one comes later
     }
 
     // The pocket is taken to bear 0.06 of the cloth: 5330 N/m of 0.5 oz, 8000 N/m of 0.75 oz. The
