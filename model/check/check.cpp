@@ -84,6 +84,8 @@ public:
     std::vector<Finding> run()
     {
         errors();
+        if (!hasErrors(m_problems))
+            checkRestLengths(m_scene, m_index, adding());
         checkNetwork(m_scene, m_index, adding());
         checkFabric(m_scene, m_index, adding());
         names();
@@ -301,6 +303,33 @@ private:
                 id);
     }
 
+    void checkControl(const Control& control, Id id)
+    {
+        if (!(control.axis.norm() > 0.0))
+            add("axis", Severity::Error,
+                Message("Control %1 needs an axis that is not zero.", control.name), id);
+        const auto isCollider = [&](Id target) { return m_index.kindOf(target) == Kind::Collider; };
+        if (control.kind == ControlKind::WeightShift
+            && std::ranges::any_of(control.targets, isCollider))
+            add("weight", Severity::Warning,
+                Message(
+                    "Control %1 shifts weights, and a collider has none: make it move, or remove "
+                    "the collider from its targets.",
+                    control.name),
+                id);
+        if (control.targets.empty())
+            add("idle", Severity::Warning,
+                Message("Control %1 has no targets and does nothing.", control.name), id);
+        if (std::abs(control.automaticRate) > control.rate)
+            add("slow-control", Severity::Warning,
+                Message(
+                    "Control %1 is to move by itself at %2 m/s, and its rate lets it move at %3 "
+                    "m/s: raise the rate, or lower the automatic one.",
+                    control.name, Message::number("%.4g", std::abs(control.automaticRate)),
+                    Message::number("%.4g", control.rate)),
+                id);
+    }
+
     void shapes()
     {
         for (const Entry& entry : m_scene.items) {
@@ -314,24 +343,8 @@ private:
                 checkMaterial(*material, entry.id);
             if (const Wind* wind = std::get_if<Wind>(&entry.item))
                 checkWind(*wind, entry.id);
-            if (const Control* control = std::get_if<Control>(&entry.item)) {
-                if (!(control->axis.norm() > 0.0))
-                    add("axis", Severity::Error,
-                        Message("Control %1 needs an axis that is not zero.", control->name),
-                        entry.id);
-                const auto isCollider = [&](Id id) { return m_index.kindOf(id) == Kind::Collider; };
-                if (control->kind == ControlKind::WeightShift
-                    && std::any_of(control->targets.begin(), control->targets.end(), isCollider))
-                    add("weight", Severity::Warning,
-                        Message("Control %1 shifts weights, and a collider has none: make it move, "
-                                "or remove the collider from its targets.",
-                                control->name),
-                        entry.id);
-                if (control->targets.empty())
-                    add("idle", Severity::Warning,
-                        Message("Control %1 has no targets and does nothing.", control->name),
-                        entry.id);
-            }
+            if (const Control* control = std::get_if<Control>(&entry.item))
+                checkControl(*control, entry.id);
             if (const Probe* probe = std::get_if<Probe>(&entry.item))
                 checkProbe(*probe, entry.id);
             if (const Plot* plot = std::get_if<Plot>(&entry.item))

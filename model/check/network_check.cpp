@@ -188,4 +188,50 @@ void checkNetwork(const Scene& scene, const ElementIndex& index, const AddFindin
     reportLoose(scene, index, tied, bare, add);
 }
 
+void checkRestLengths(const Scene& scene, const ElementIndex& index, const AddFinding& add)
+{
+    constexpr double odd = 2.0; // times as long, or as short
+    std::vector<Vec3> position; // [particles] m
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles)
+            position.push_back(particle.position);
+    });
+    forEachPart(scene, [&](Id, const Part& part) {
+        std::size_t count = 0;
+        double worst = odd;
+        double length = 0.0; // m, of the worst
+        const Link* culprit = nullptr;
+        for (const Link& link : part.links) {
+            const int from = index.particle(link.from), to = index.particle(link.to);
+            if (from < 0 || to < 0 || !(link.restLength > 0.0))
+                continue;
+            const double now = (position[std::size_t(to)] - position[std::size_t(from)]).norm();
+            const double off = std::max(now / link.restLength, link.restLength / now);
+            if (isSlack(link.resists, now - link.restLength) || !(off > odd))
+                continue;
+            ++count;
+            if (off > worst) {
+                worst = off;
+                length = now;
+                culprit = &link;
+            }
+        }
+        if (count == 0)
+            return;
+        const Message now = Message::number("%.4g", length);
+        const Message rest = Message::number("%.4g", culprit->restLength);
+        add("rest-length", Severity::Warning,
+            count == 1
+                ? Message("%1 of %2 begins %3 m long, and its rest length is %4 m: it pulls or "
+                          "pushes hard from the first moment. Give it the length that it has "
+                          "without load.",
+                          subjectOf(Kind::Link, culprit->id), part.name, now, rest)
+                : Message("%1 links of %2 begin more than twice or less than half as long as their "
+                          "rest lengths, link %3 with %4 m for %5 m: they pull or push hard from "
+                          "the first moment. Give them the lengths that they have without load.",
+                          count, part.name, std::uint32_t(culprit->id), now, rest),
+            culprit->id);
+    });
+}
+
 } // namespace ripstop

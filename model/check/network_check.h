@@ -8,4 +8,8 @@ namespace ripstop {
 
 void checkNetwork(const Scene& scene, const ElementIndex& index, const AddFinding& add);
 
+// Links that begin far from their rest lengths: one that a file gives none has the usual metre,
+// whatever its ends are apart. Of a scene without errors.
+void checkRestLengths(const Scene& scene, const ElementIndex& index, const AddFinding& add);
+
 } // namespace ripstop

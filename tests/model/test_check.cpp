@@ -108,6 +108,15 @@ private slots:
             [](Scene& s) { materialIn(s).arealDensity = 47.0; });
         row("rod that does not fit", warning, 22, "are 41.4 % off from its length",
             [](Scene& s) { part(s).particles[1].pinned = part(s).particles[2].pinned = true; });
+        row("link without its rest length", warning, 22, "its rest length is 0.1 m",
+            [](Scene& s) { part(s).links[1].restLength = 0.1; });
+        row("control that is slower than it is to be", warning, 40, "rate lets it move at 0.5 m/s",
+            [](Scene& s) {
+                Control c = control();
+                c.rate = 0.5;
+                c.automaticRate = -2.0;
+                addItem(s, c);
+            });
         row("two of a name", warning, 40, "#2 and #40 are both called fabric",
             [](Scene& s) { addItem(s, Material{"fabric"}); });
         row("storm", warning, 40, "speed limit of 1000 m/s", [](Scene& s) {
