@@ -54,6 +54,17 @@ void printNotes(const Scene& scene, const PresetEdit& made)
                   << ": settings.substeps=" << substepsWithin(*limit, settings) << '\n';
 }
 
+// Of a material that has a density, which says whether it is of a sheet or of a line.
+void printUnlike(const Material& material, const Preset& preset)
+{
+    const bool isSheet = material.arealDensity.has_value();
+    if (isSheet == material.linearDensity.has_value() || isSheet == ripstop::isSheet(preset.kind))
+        return;
+    std::cout << material.name << ": it is weighed by its " << (isSheet ? "area" : "length")
+              << ", and " << preset.name << " is of the kind " << presetKindName(preset.kind)
+              << ", which gives what it carries neither stiffness nor strength.\n";
+}
+
 Result<std::vector<Id>> materialsCalled(const Scene& scene, const std::vector<std::string>& names)
 {
     std::vector<Id> materials;
@@ -85,7 +96,11 @@ Result<PresetEdit> presetEditOf(const PresetOptions& options, const Scene& scene
     const std::vector<Preset> own = ownMaterials(options.own);
     if (options.step.empty()) {
         const Result<const Preset*> preset = findPreset(options.preset, own);
-        return preset ? presetEdit(scene, **preset, materials) : preset.failure();
+        if (!preset)
+            return preset.failure();
+        for (const Id id : materials)
+            printUnlike(*findItem<Material>(scene, id), **preset);
+        return presetEdit(scene, **preset, materials);
     }
     const auto step = std::ranges::find(allMaterialSteps, options.step, materialStepName);
     Result<StepEdit> made = stepEdit(scene, materials, *step, own);

@@ -4,6 +4,8 @@
 // carry the mass of a scene, whoever put it there; the density of a material says what of it they
 // were given. So another density takes the old share off and puts the new one on, and what else a
 // particle carries stays. A material of unknown density has given nothing that could be taken off.
+// Where a frame weighs less than its spars, as others of its part carry some of it, these get their
+// share of the change.
 #pragma once
 
 #include "base/result.h"

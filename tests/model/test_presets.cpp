@@ -4,6 +4,7 @@
 // with undo and with particles of unknown mass; one preset after another; and what is refused,
 // also on the command line.
 #include "model/material_sheets.h"
+#include "model/sample_scenes.h"
 #include "registered_test.h"
 
 #include "builders/builder.h"
@@ -312,6 +313,45 @@ private slots:
             particle.mass = 1e-5;
         const auto made = presetEdit(scene, **findPreset("liros_ltc80"), cord);
         QVERIFY(!made && made.message().english().find("weighs less") != std::string::npos);
+    }
+
+    // The rigidity particles of a kite carry a part of its frame, so that its knots weigh less than
+    // its spars: another spar changes the whole by what it is lighter or heavier.
+    void sparsOfCraftAreChanged_data()
+    {
+        QTest::addColumn<QString>("sample");
+        QTest::addColumn<QString>("rod");
+        for (const char* sample : {"diamond_kite", "ripstop_kite", "rectangular_kite"})
+            for (const char* rod : {"carbon_rod_2", "carbon_rod_3", "carbon_tube_8"})
+                QTest::addRow("%s of %s", sample, rod) << sample << rod;
+    }
+    void sparsOfCraftAreChanged()
+    {
+        QFETCH(QString, sample);
+        QFETCH(QString, rod);
+        const Scene before = ripstop::sample(sample);
+        Scene scene = before;
+        const Id spar = *findNamed(scene, Kind::Material, "spar");
+        const Preset& preset = **findPreset(rod.toStdString());
+        const auto edit = presetEdit(scene, preset, {spar});
+        QVERIFY2(edit, edit ? "" : edit.message().english().c_str());
+        (void)apply(scene, edit->edit);
+        double length = 0.0, change = 0.0; // m, kg
+        forEachPart(before, [&](Id, const Part& part) {
+            for (const Link& link : part.links)
+                length += link.material == spar ? link.restLength : 0.0;
+            for (const Particle& particle : part.particles)
+                change -= particle.mass;
+        });
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Particle& particle : part.particles) {
+                change += particle.mass;
+                QVERIFY(particle.mass > 0.0);
+            }
+        });
+        const double lighter = *findItem<Material>(scene, spar)->linearDensity
+                               - *findItem<Material>(before, spar)->linearDensity;
+        NEAR(change, lighter * length, 1e-6);
     }
 
     void commandLine()
