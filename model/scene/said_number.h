@@ -34,6 +34,8 @@ struct ReadableUnit
 
 ReadableUnit readableUnit(double largest, std::string_view unit);
 
+inline constexpr double mostDigits = 1e15; // from here on a double does not know the last digit
+
 // As many digits as count, without zeros at the end, and without exponents below 1e15: what is more
 // would be a row of digits that mean nothing, and is nothing that flies.
 std::string plainNumber(double number, int digits);

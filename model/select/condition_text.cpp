@@ -48,7 +48,7 @@ struct Reader
         at = end;
         return true;
     }
-    std::string key()
+    std::string word()
     {
         const std::size_t from = at;
         while (at < text.size()
@@ -56,6 +56,29 @@ struct Reader
                    || text[at] == '.'))
             ++at;
         return std::string(text.substr(from, at - from));
+    }
+    // As files write it, restLength, or as columns call it: Rest length, words before a sign.
+    std::string key()
+    {
+        const std::string first = word();
+        std::string all = first;
+        Reader ahead = *this;
+        for (ahead.skipSpace(); !ahead.isAtSign(); ahead.skipSpace()) {
+            std::string next = ahead.take("and") ? std::string() : ahead.word();
+            if (next.empty())
+                return first;
+            all[0] = char(std::tolower(static_cast<unsigned char>(all[0])));
+            next[0] = char(std::toupper(static_cast<unsigned char>(next[0])));
+            all += next;
+        }
+        at = ahead.at;
+        return all;
+    }
+    bool isAtSign() const
+    {
+        const std::string_view left = text.substr(at);
+        return std::ranges::any_of(signs,
+                                   [&](const Sign& one) { return left.starts_with(one.text); });
     }
 };
 

@@ -344,6 +344,8 @@ private slots:
         row("particle.position.y < 50 cm", n + 1, 0, 0);
         row("restLength > 1500 mm", 0, bends, 0);
         row("restLength <= 1", 0, structural + 3, 0);
+        row("Rest length > 1500 mm", 0, bends, 0);
+        row("kind = spring and rest length <= 1", 0, structural, 0);
         row("pinned", 1, 0, 0);
         row("not pinned", n * n + 3, 0, 0);
         row("pinned = no", n * n + 3, 0, 0);

@@ -163,12 +163,13 @@ private slots:
         QCOMPARE(roundStep(0.0), 0.0);
     }
 
-    // Numbers in sentences of the engine have no exponents either.
+    // Numbers in sentences of the engine have no exponents either, but for a mere row of digits.
     void sentences()
     {
         QCOMPARE(translated(Message::number("%.3g", 1.04e-5)), QString("0.0000104"));
         QCOMPARE(translated(Message::number("%.3g", 2.5e7)), QString("25000000"));
         QCOMPARE(translated(Message::number("%.3g", 0.25)), QString("0.25"));
+        QCOMPARE(translated(Message::number("%.3g", 1e30)), QString("1e+30"));
     }
 
     // A quarter in 10 s leaves three quarters, 30 s; what has hardly begun tells nothing yet.

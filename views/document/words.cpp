@@ -6,6 +6,7 @@
 
 #include "document/census.h"
 #include "materials/presets.h"
+#include "scene/said_number.h"
 
 #include <QCoreApplication>
 #include <QKeySequence>
@@ -51,13 +52,13 @@ QString translated(const char* context, const char* text)
     return QCoreApplication::translate(context, text);
 }
 
-// As people write it: 1.2e-05 is 0.000012.
+// As people write it: 1.2e-05 is 0.000012, and 1e+30 no row of digits.
 QString withoutExponent(const QString& number)
 {
     const qsizetype sign = number.indexOf(QChar('e'));
     bool isNumber = false;
     const double value = number.toDouble(&isNumber);
-    if (sign < 0 || !isNumber)
+    if (sign < 0 || !isNumber || std::abs(value) >= mostDigits)
         return number;
     const int digits = int(number.left(sign).count(QRegularExpression(QStringLiteral("\\d"))));
     const int decimals = digits - 1 - number.mid(sign + 1).toInt();
