@@ -235,7 +235,9 @@ void LoadPanel::refresh()
     if (!isVisible())
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
-    m_ofRun->setTitle(isBeforeRun() ? tr("Of the last run") : tr("Worst of the run"));
+    m_ofRun->setTitle(!isOfRun()      ? tr("Worst of the run: recordings do not keep it")
+                      : isBeforeRun() ? tr("Of the last run")
+                                      : tr("Worst of the run"));
     m_ofRun->showPlaces(m_document.scene(), places);
     showMore();
     showLaunch(*frame, ofRun);
