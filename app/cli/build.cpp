@@ -169,9 +169,14 @@ void describe(const Builder& builder)
                   << parameter.help
                   << (parameter.choices.empty() ? "" : " One of " + listed(parameter.choices) + '.')
                   << '\n';
-    if (std::ranges::any_of(builder.parameters, [](const Parameter& p) { return bool(p.offered); }))
-        std::cout << "\nWith cloth=ideal it is the design of the papers: what is not given is then "
-                     "ideal, too.\n";
+    const auto isIdealBy = [](const Parameter& p) {
+        return p.offered && std::ranges::find(p.choices, "ideal") != p.choices.end();
+    };
+    if (const auto one = std::ranges::find_if(builder.parameters, isIdealBy);
+        one != builder.parameters.end())
+        std::cout << "\nWith " << one->key
+                  << "=ideal it is the design of the papers: what is not given is then ideal, "
+                     "too.\n";
     if (builder.table)
         std::cout << padded(builder.table->key, 18) << padded("none", 12)
                   << padded(shortNumber(builder.table->low) + " to "
