@@ -560,6 +560,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>Control %1 is to move by itself at %2 m/s, and its rate lets it move at %3 m/s: raise the rate, or lower the automatic one.</source>
+        <translation>La commande %1 doit se mouvoir d’elle-même à %2 m/s, et sa vitesse de réponse ne lui permet que %3 m/s : augmentez celle-ci, ou réduisez la vitesse automatique.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>Control %1 needs an axis that is not zero.</source>
         <translation>La commande %1 demande un axe non nul.</translation>
     </message>
@@ -2220,6 +2225,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
+        <source>%1, in %2, which peaks at %3</source>
+        <translation>%1, dans %2, dont le sommet est de %3</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>%1, in gust %2 of %3, which peaks at %4</source>
+        <translation>%1, dans la rafale %2 de %3, dont le sommet est de %4</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
         <source>a control was moved</source>
         <translation>une commande a été déplacée</translation>
     </message>
@@ -3596,8 +3611,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="hand_bar.cpp"/>
-        <source>Draw across links and fabric. A right drag turns the view.</source>
-        <translation>Tracer à travers les liaisons et le tissu. Glisser du bouton droit tourne la vue.</translation>
+        <source>Draw across links and fabric. Cuts belong to the run: Reset (Ctrl+R) takes them back. A right drag turns the view.</source>
+        <translation>Tracer à travers les liaisons et le tissu. Les coupes font partie du vol : Réinitialiser (Ctrl+R) les annule. Glisser du bouton droit tourne la vue.</translation>
     </message>
     <message>
         <location filename="hand_bar.cpp"/>
@@ -4972,6 +4987,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>Worst of the run: recordings do not keep it</source>
+        <translation>Pires du vol : les enregistrements ne les gardent pas</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>Worst places now</source>
         <translation>Pires endroits maintenant</translation>
     </message>
@@ -6058,8 +6078,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="network_check.cpp"/>
+        <source>%1 links of %2 begin more than twice or less than half as long as their rest lengths, link %3 with %4 m for %5 m: they pull or push hard from the first moment. Give them the lengths that they have without load.</source>
+        <translation>%1 liaisons de %2 mesurent au départ plus du double ou moins de la moitié de leur longueur au repos, la liaison %3 %4 m au lieu de %5 m : elles tirent ou poussent fort dès le premier instant. Donnez-leur les longueurs qu’elles ont sans charge.</translation>
+    </message>
+    <message>
+        <location filename="network_check.cpp"/>
         <source>%1 links of %2 never stretch, and the fixed particles at their ends are off from their lengths, at link %3 by %4 %: what they pull is not known. Give them these lengths, or a stiffness.</source>
         <translation>%1 liaisons de %2 ne s’allongent jamais, et l’écart des particules fixes à leurs bouts diffère de leur longueur, à la liaison %3 de %4 % : leur traction reste inconnue. Donnez-leur ces longueurs, ou une raideur.</translation>
+    </message>
+    <message>
+        <location filename="network_check.cpp"/>
+        <source>%1 of %2 begins %3 m long, and its rest length is %4 m: it pulls or pushes hard from the first moment. Give it the length that it has without load.</source>
+        <translation>%1 de %2 mesure %3 m au départ, et sa longueur au repos est de %4 m : elle tire ou pousse fort dès le premier instant. Donnez-lui la longueur qu’elle a sans charge.</translation>
     </message>
     <message>
         <location filename="network_check.cpp"/>
@@ -10162,6 +10192,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="study.cpp"/>
         <source>keeps the best flights, and has no objectives; say what is wanted</source>
         <translation>garde les meilleurs vols et n’a pas d’objectifs ; dites ce qui est voulu</translation>
+    </message>
+    <message>
+        <location filename="study.cpp"/>
+        <source>sets %1 a second time, and one value alone can be flown; leave it out of all but one variable</source>
+        <translation>fixe %1 une seconde fois, alors qu’une seule valeur peut voler ; ne laissez ce chemin que dans une variable</translation>
     </message>
     <message>
         <location filename="study.cpp"/>
