@@ -191,6 +191,8 @@ void describe(const std::string& file, const PreparedMesh& mesh, const MeshImpor
     for (const PolygonMesh::PackedPicture& picture : made.pictures)
         std::cout << "  note: a picture that lies within the mesh's file is " << picture.file
                   << " now.\n";
+    if (const std::optional<Message> off = threadsComplaint(made))
+        std::cout << "  warning: " << off->english() << '\n';
     for (const MeshFinding& finding : mesh.report.findings()) {
         std::cout << "  " << gravityName(gravityOf(finding.fault)) << ": "
                   << finding.text().english();

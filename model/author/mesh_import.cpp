@@ -438,6 +438,8 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
             return Failure{"The import was cancelled."};
         if (carrierOf(fabric) == FabricKind::Panels)
             network.carryByPanels(warpsOf(surface), fabric.grain);
+        else
+            result.warpsOff = std::max(result.warpsOff, warpsOffThreads(surface));
         const Part& part = network.part();
         result.particles += part.particles.size();
         result.panels += part.panels.size();
@@ -456,6 +458,18 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
         result.edit.changes.push_back(
             AddItem{surroundings.itemCount + i, std::move(scratch.items[i])});
     return result;
+}
+
+std::optional<Message> threadsComplaint(const MeshImport& made)
+{
+    constexpr double most = 10.0; // degrees
+    if (!(made.warpsOff > most))
+        return std::nullopt;
+    return Message(
+        "The texture turns the warp by %1 degrees from the edges of the mesh, and threads "
+        "run along these: the cloth will be stiffer than it is so cut. Have panels carry "
+        "its pull.",
+        Message::number("%.0f", made.warpsOff));
 }
 
 } // namespace ripstop

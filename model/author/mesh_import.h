@@ -112,11 +112,16 @@ struct MeshImport
     std::size_t springs = 0;
     std::size_t rods = 0;
     std::size_t panels = 0;
-    double area = 0.0;                                // m^2
-    double mass = 0.0;                                // kg
+    double area = 0.0;     // m^2
+    double mass = 0.0;     // kg
+    double warpsOff = 0.0; // degrees, of a texture from the threads that carry in its place
     std::vector<PolygonMesh::PackedPicture> pictures; // that the edit's materials name, and which
                                                       // have to be written: packed_pictures.h
 };
+
+// That threads do not run where the texture has its warp; nothing where they do, within the angle
+// by which cloth that is cut off its warp begins to give way.
+std::optional<Message> threadsComplaint(const MeshImport& made);
 
 // `name` is that of the part, or in front of those of several.
 Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,

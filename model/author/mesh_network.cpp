@@ -7,6 +7,7 @@
 // 4. Panels and the mass of the fabric come last. A cancelled import stops between stages.
 #include "author/mesh_network.h"
 
+#include "base/angle.h"
 #include "derived/flat_panel.h"
 #include "derived/link_stiffness.h"
 
@@ -303,6 +304,27 @@ std::vector<Vec3> warpsOf(const RepairedMesh& mesh)
         warps.push_back(uprightWarp(places, texture));
     }
     return warps;
+}
+
+double warpsOffThreads(const RepairedMesh& mesh)
+{
+    const PolygonMesh& faces = mesh.mesh;
+    if (faces.texture.empty() || mesh.triangles.empty())
+        return 0.0;
+    const std::vector<Vec3> warps = warpsOf(mesh);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < warps.size(); ++i) {
+        const std::span<const int> corners = faces.face(std::size_t(mesh.faceOf[i]));
+        double along = 0.0; // cosine of the angle to the nearest edge
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Vec3 edge = faces.points[std::size_t(corners[(k + 1) % corners.size()])]
+                              - faces.points[std::size_t(corners[k])];
+            const double size = edge.norm() * warps[i].norm();
+            along = std::max(along, size > 0.0 ? std::abs(edge.dot(warps[i])) / size : 1.0);
+        }
+        sum += std::acos(std::min(1.0, along)) / degrees;
+    }
+    return sum / double(warps.size());
 }
 
 bool weaveInto(Network& network, const RepairedMesh& mesh, const Weave& weave,

@@ -55,6 +55,10 @@ struct WeaveMaterials
 // texture its own, where the particles there have that of another face.
 std::vector<Vec3> warpsOf(const RepairedMesh& mesh);
 
+// Degrees, of the warps from the nearest edge of their face, along which threads run, as the mean
+// over the triangles; 0 of a mesh without texture.
+double warpsOffThreads(const RepairedMesh& mesh);
+
 // Adds particles, links and panels of the mesh, and the mass of the fabric (density in kg/m^2) and
 // of lines; where the file says the masses of points, they hold instead. Lines only pull.
 // Panels come in the order of the triangles. Answers false when cancelled.

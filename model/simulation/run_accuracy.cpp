@@ -55,6 +55,10 @@ Message RunAccuracy::dampingComplaint() const
             : Message("The motion dies away by the time steps: in ten seconds they took %1 % of "
                       "its energy, most of what it lost.",
                       Message::number("%.0f", 100.0 * lost));
+    if (!isDamped && losesInLines)
+        return Message("%1 Lines that never stretch lose it as they get tight, however short the "
+                       "step is: give them a stiffness.",
+                       told);
     return couldTakeBdf2
                ? Message("%1 Take the integrator BDF2, which damps far less, or a shorter time "
                          "step.",

@@ -41,6 +41,7 @@ struct RunAccuracy
     double damping = 0.0;         // 1, of critical, that the last ten seconds of steps have taken
     double lost = 0.0;            // 1, of the motion, at most: RecentDamping::lost()
     bool couldTakeBdf2 = false;   // its solver goes with it, and the last step was none
+    bool losesInLines = false;    // `lost` is much, and there are lines that never stretch
 
     double missedShare() const { return steps > 0 ? double(missed) / double(steps) : 0.0; }
     bool isMet() const { return missedShare() <= mostMissed && tornUntrue == 0; }

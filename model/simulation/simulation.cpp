@@ -323,6 +323,10 @@ void Simulation::Private::noteAccuracy(std::size_t torn)
     accuracy.couldTakeBdf2 =
         stepper.integrator() != Integrator::Bdf2
         && (system().solver == Solver::Auto || system().solver == Solver::Direct);
+    accuracy.losesInLines = accuracy.lost > RunAccuracy::mostLost
+                            && std::ranges::any_of(system().rods, [](const Rod& rod) {
+                                   return rod.resists == Resists::Tension && rod.compliance == 0.0;
+                               });
     if (ratio > accuracy.worst) {
         const int rod = last.worstRod(system());
         accuracy.worst = ratio;

@@ -133,6 +133,17 @@ private slots:
         QVERIFY2(said.find("dies away by the time steps") != std::string::npos, said.c_str());
     }
 
+    // A rope that never stretches loses more of its swing to its jerks the shorter the steps are.
+    void saysWhatLinesLose()
+    {
+        const Builder& rope = *findBuilder("rope");
+        const RunAccuracy accuracy =
+            flown(*build(rope, newDesign(rope, {{"cord", 0}, {"end_mass", 0}})), 20.0);
+        const std::string said = accuracy.dampingComplaint().english();
+        QVERIFY2(said.find("Lines that never stretch") != std::string::npos, said.c_str());
+        QVERIFY2(said.find("shorter time step") == std::string::npos, said.c_str());
+    }
+
     // In plain numbers, also about and above 100 %.
     void saysDampingPlainly()
     {

@@ -1,6 +1,7 @@
 // What carries the pull of an imported mesh where nobody chose, and that it is as stiff as its
 // cloth: whatever faces it has, wherever they meet, however the texture lies on them.
 #include "author/stability.h"
+#include "base/angle.h"
 #include "check/check.h"
 #include "compile/compile.h"
 #include "derived/flat_panel.h"
@@ -78,6 +79,32 @@ class TestMeshCarrier : public QObject
     Q_OBJECT
 
 private slots:
+    // Threads run along the edges, wherever the texture has its warp, and are too stiff where that
+    // lies across.
+    void threadsOffTheWarpAreTold_data()
+    {
+        QTest::addColumn<double>("grain"); // degrees
+        QTest::addColumn<double>("off");   // degrees
+        QTest::newRow("along") << 0.0 << 0.0;
+        QTest::newRow("nearly across") << 85.0 << 5.0;
+        QTest::newRow("turned") << 30.0 << 30.0;
+        QTest::newRow("on the bias") << 45.0 << 45.0;
+    }
+    void threadsOffTheWarpAreTold()
+    {
+        QFETCH(double, grain);
+        QFETCH(double, off);
+        const PreparedMesh mesh = preparedOf(meshOf(hungStrip(grain * degrees, true)));
+        MeshFabric fabric = untouchedFabric();
+        fabric.carrier = FabricKind::Threads;
+        const MeshImport made = importOf(mesh, fabric);
+        QVERIFY2(std::abs(made.warpsOff - off) < 0.01,
+                 qPrintable(QString::number(made.warpsOff))); // the mesh has six digits
+        QCOMPARE(threadsComplaint(made).has_value(), off > 10.0);
+        fabric.carrier = FabricKind::Panels;
+        QVERIFY(!threadsComplaint(importOf(mesh, fabric)));
+    }
+
     void panelsCarryUnlessLinksAreAskedFor()
     {
         MeshFabric fabric = untouchedFabric();

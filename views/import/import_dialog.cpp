@@ -304,6 +304,8 @@ void ImportDialog::take(std::shared_ptr<const ImportOutcome> outcome)
     QStringList lines{isReady() ? countsText(m_outcome->made) : m_outcome->refusal};
     if (const QString pictures = picturesText(m_outcome->made); !pictures.isEmpty())
         lines << pictures;
+    if (const auto off = threadsComplaint(m_outcome->made); off && isReady())
+        lines << translated(*off);
     m_counts->setText(lines.join(QChar('\n')));
     setReady(isReady() && !m_delay.isActive());
     m_counts->setEnabled(!m_delay.isActive()); // a refusal is to be read, too
