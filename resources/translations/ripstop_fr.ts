@@ -5738,6 +5738,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_import.cpp"/>
+        <source>The texture turns the warp by %1 degrees from the edges of the mesh, and threads run along these: the cloth will be stiffer than it is so cut. Have panels carry its pull.</source>
+        <translation>La texture tourne la chaîne de %1 degrés par rapport aux arêtes du maillage, que suivent les fils : le tissu sera plus raide qu’il ne l’est, coupé ainsi. Faites porter sa traction par des panneaux.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
         <source>The weld tolerance must be 0 or more, and smaller than the mesh.</source>
         <translation>La tolérance de soudure doit être 0 ou plus, et plus petite que le maillage.</translation>
     </message>
@@ -8517,6 +8522,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="run_accuracy.cpp"/>
         <source>%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a factor of %4</source>
         <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans la liaison %3, d’un facteur %4</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>%1 Lines that never stretch lose it as they get tight, however short the step is: give them a stiffness.</source>
+        <translation>%1 Les lignes qui ne s’allongent jamais la perdent en se tendant, si court que soit le pas : donnez-leur une raideur.</translation>
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
