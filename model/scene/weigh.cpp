@@ -58,15 +58,16 @@ public:
     }
 
     // What is given to a particle that has less than `said`, what its materials say, is given to
-    // it for the share that it has; the rest goes to those particles of its part that have more, as
-    // far as they have it. So a frame is weighed of which others carry a part.
+    // it for the share that it has; the rest goes to those free particles of its part that have
+    // more, as far as they have it. So a frame is weighed of which others carry a part.
     void moveToCarriers(const Scales& said)
     {
         std::size_t first = 0;
         forEachPart(*m_scene, [&](Id, const Part& part) {
             double rest = 0.0, more = 0.0; // kg
             const auto excess = [&](std::size_t i) {
-                return std::max(0.0, m_particles[i]->mass - said.m_mass[i]);
+                const Particle& particle = *m_particles[i];
+                return particle.pinned ? 0.0 : std::max(0.0, particle.mass - said.m_mass[i]);
             };
             const std::size_t last = first + part.particles.size();
             for (std::size_t i = first; i < last; ++i) {
