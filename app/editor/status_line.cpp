@@ -73,7 +73,7 @@ void StatusLine::tellTears(const Recordings& recordings)
     m_heard += news.size();
     const auto tear = std::ranges::find(news, RunEvent::Kind::Tear, &RunEvent::kind);
     if (tear != news.end())
-        say(describe(*tear, m_document.scene()), read);
+        say(describeInGust(*tear, m_document.scene()), read);
 }
 
 void StatusLine::follow(Viewport& viewport)

@@ -94,7 +94,7 @@ private slots:
     {
         QFETCH(double, grain);
         QFETCH(double, off);
-        const PreparedMesh mesh = preparedOf(meshOf(hungStrip(grain * degrees, true)));
+        const PreparedMesh mesh = preparedOf(meshOf(hungStrip(grain * degrees, true).c_str()));
         MeshFabric fabric = untouchedFabric();
         fabric.carrier = FabricKind::Threads;
         const MeshImport made = importOf(mesh, fabric);

@@ -18,19 +18,6 @@ struct EventWords
     Q_DECLARE_TR_FUNCTIONS(EventWords)
 };
 
-// What tore, with the gust that blew at the time.
-QString inGust(const QString& tore, const RunEvent& event, const Scene& scene)
-{
-    const std::optional<GustNow> gust = gustNow(scene, event.time);
-    if (!gust)
-        return tore;
-    const QString wind = nameOf(scene, gust->wind);
-    const QString peak = spokenText(gust->peak, "m/s");
-    return gust->repeats ? EventWords::tr("%1, in gust %2 of %3, which peaks at %4")
-                               .arg(tore, QString::number(gust->number), wind, peak)
-                         : EventWords::tr("%1, in %2, which peaks at %3").arg(tore, wind, peak);
-}
-
 // The words for one event or for several at once, which name the first of their links.
 QString lines(const RunEvent& event, const QString& one, const QString& many)
 {
@@ -42,12 +29,10 @@ QString what(const RunEvent& event, const Scene& scene)
     const auto name = [&](std::uint32_t id) { return nameOf(scene, Id{id}); };
     switch (event.kind) {
     case RunEvent::Kind::Tear:
-        return inGust(event.count == 1
-                          ? EventWords::tr("%1 tore").arg(placeWords(scene, Id{event.what}))
-                          : EventWords::tr("%1 places tore, the first is %2")
-                                .arg(event.count)
-                                .arg(placeWords(scene, Id{event.what})),
-                      event, scene);
+        return event.count == 1 ? EventWords::tr("%1 tore").arg(placeWords(scene, Id{event.what}))
+                                : EventWords::tr("%1 places tore, the first is %2")
+                                      .arg(event.count)
+                                      .arg(placeWords(scene, Id{event.what}));
     case RunEvent::Kind::Control:
         return EventWords::tr("a control was moved");
     case RunEvent::Kind::Hand:
@@ -79,6 +64,19 @@ QString describe(const RunEvent& event, const Scene& scene, int more)
     return more == 0
                ? one
                : EventWords::tr("%1, and %2 more in this step").arg(one, QString::number(more));
+}
+
+QString describeInGust(const RunEvent& event, const Scene& flown)
+{
+    const QString told = describe(event, flown);
+    const std::optional<GustNow> gust = gustNow(flown, event.time);
+    if (!gust)
+        return told;
+    const QString wind = nameOf(flown, gust->wind);
+    const QString peak = spokenText(gust->peak, "m/s");
+    return gust->repeats ? EventWords::tr("%1, in gust %2 of %3, which peaks at %4")
+                               .arg(told, QString::number(gust->number), wind, peak)
+                         : EventWords::tr("%1, in %2, which peaks at %3").arg(told, wind, peak);
 }
 
 QColor eventColor(RunEvent::Kind kind, const QPalette& palette)

@@ -16,6 +16,10 @@ namespace ripstop {
 // looked up in the scene; what it does not have is called by its number.
 QString describe(const RunEvent& event, const Scene& scene, int more = 0);
 
+// With the discrete gust that blows at the time. `flown` is the design of the run at that time,
+// which the open one is only while it flies.
+QString describeInGust(const RunEvent& event, const Scene& flown);
+
 // The colour of the marks of such events; what begins and what ends it have the same one.
 QColor eventColor(RunEvent::Kind kind, const QPalette& palette);
 
