@@ -38,20 +38,21 @@ void reportDoubles(const Scene& scene, const std::vector<int>& again, const AddF
     });
 }
 
+std::vector<const Particle*> particlesOf(const Scene& scene) // as the index counts them
+{
+    std::vector<const Particle*> particles;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles)
+            particles.push_back(&particle);
+    });
+    return particles;
+}
+
 // Rods that never stretch and are held at both ends, at a distance that is not theirs: no solver
 // can make anything of them, and so none tells how far off they are.
 void reportMisfits(const Scene& scene, const ElementIndex& index, const AddFinding& add)
 {
-    struct End
-    {
-        Vec3 position;
-        bool pinned;
-    };
-    std::vector<End> ends; // [particles]
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& particle : part.particles)
-            ends.push_back({particle.position, particle.pinned});
-    });
+    const std::vector<const Particle*> ends = particlesOf(scene);
     const auto isRigid = [&](const Link& link) {
         const Material& material = materialOf(scene, index, link.material);
         return link.kind == LinkKind::Rod
@@ -63,11 +64,11 @@ void reportMisfits(const Scene& scene, const ElementIndex& index, const AddFindi
         Id culprit = noId;
         for (const Link& link : part.links) {
             const int from = index.particle(link.from), to = index.particle(link.to);
-            if (from < 0 || to < 0 || !ends[std::size_t(from)].pinned
-                || !ends[std::size_t(to)].pinned || !(link.restLength > 0.0) || !isRigid(link))
+            if (from < 0 || to < 0 || !ends[std::size_t(from)]->pinned
+                || !ends[std::size_t(to)]->pinned || !(link.restLength > 0.0) || !isRigid(link))
                 continue;
             const double stretch =
-                (ends[std::size_t(to)].position - ends[std::size_t(from)].position).norm()
+                (ends[std::size_t(to)]->position - ends[std::size_t(from)]->position).norm()
                 - link.restLength;
             const double strain = 100.0 * std::abs(stretch) / link.restLength;
             if (isSlack(link.resists, stretch) || !(strain > scene.settings.strainGoal))
@@ -191,11 +192,7 @@ void checkNetwork(const Scene& scene, const ElementIndex& index, const AddFindin
 void checkRestLengths(const Scene& scene, const ElementIndex& index, const AddFinding& add)
 {
     constexpr double odd = 2.0; // times as long, or as short
-    std::vector<Vec3> position; // [particles] m
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& particle : part.particles)
-            position.push_back(particle.position);
-    });
+    const std::vector<const Particle*> ends = particlesOf(scene);
     forEachPart(scene, [&](Id, const Part& part) {
         std::size_t count = 0;
         double worst = odd;
@@ -205,7 +202,8 @@ void checkRestLengths(const Scene& scene, const ElementIndex& index, const AddFi
             const int from = index.particle(link.from), to = index.particle(link.to);
             if (from < 0 || to < 0 || !(link.restLength > 0.0))
                 continue;
-            const double now = (position[std::size_t(to)] - position[std::size_t(from)]).norm();
+            const double now =
+                (ends[std::size_t(to)]->position - ends[std::size_t(from)]->position).norm();
             const double off = std::max(now / link.restLength, link.restLength / now);
             if (isSlack(link.resists, now - link.restLength) || !(off > odd))
                 continue;

@@ -1,7 +1,8 @@
 #include "derived/gust_now.h"
 
+#include "laws/gust_train.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace ripstop {
 
@@ -11,16 +12,14 @@ std::optional<GustNow> gustNow(const Scene& scene, double time)
     std::optional<GustNow> strongest;
     for (const Entry& entry : scene.items) {
         const Wind* const wind = std::get_if<Wind>(&entry.item);
-        if (!wind || wind->kind != WindKind::DiscreteGust || !(time >= wind->onset))
+        const auto now =
+            wind && wind->kind == WindKind::DiscreteGust ? gustAt(*wind, time) : std::nullopt;
+        if (!now)
             continue;
-        const double since = time - wind->onset;
-        const bool repeats = wind->interval > 0.0;
-        const double before =
-            repeats ? std::min(std::floor(since / wind->interval), mostCounted) : 0.0;
-        const double peak = (1.0 + before * wind->growth) * wind->velocity.norm();
-        if (since - before * wind->interval <= wind->duration
-            && (!strongest || peak > strongest->peak))
-            strongest = {entry.id, int(before) + 1, repeats, peak};
+        const double peak = now->strength * wind->velocity.norm();
+        if (!strongest || peak > strongest->peak)
+            strongest = {entry.id, int(std::min(now->before, mostCounted)) + 1,
+                         wind->interval > 0.0, peak};
     }
     return strongest;
 }

@@ -274,7 +274,8 @@ public:
     explicit Hdf5(std::filesystem::path target)
         : m_target(std::move(target))
     {
-        H5dont_atexit(); // which would close again, and crash, what a full disk did not let it close
+        H5dont_atexit(); // which would close again, and crash, what a full disk did not let it
+                         // close
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it prints what it returns as well
     }
     ~Hdf5() override { closeAll(); }

@@ -1,6 +1,7 @@
 #include "forces/discrete_gust.h"
 
 #include "base/portable_math.h"
+#include "laws/gust_train.h"
 
 #include <algorithm>
 #include <numbers>
@@ -9,20 +10,13 @@ namespace ripstop {
 
 Vec3 velocityOf(const DiscreteGust& gust, double time)
 {
-    double since = time - gust.onset; // the gust of the moment began
-    if (!(since > 0.0))
-        return Vec3::Zero();
-    double before = 0.0; // so many gusts
-    if (gust.interval > 0.0) {
-        before = std::floor(since / gust.interval);
-        since -= before * gust.interval;
-    }
-    if (!(since < gust.duration))
+    const std::optional<GustMoment> now = gustAt(gust, time);
+    if (!now)
         return Vec3::Zero();
     // (1 - cos 2x) / 2 = sin^2 x, and a gust falls as it has grown.
-    const double half = std::min(since, gust.duration - since) / gust.duration;
+    const double half = std::min(now->since, gust.duration - now->since) / gust.duration;
     const double sine = portableSine(std::numbers::pi * std::max(0.0, half));
-    return (1.0 + before * gust.growth) * sine * sine * gust.velocity;
+    return now->strength * sine * sine * gust.velocity;
 }
 
 } // namespace ripstop

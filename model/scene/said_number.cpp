@@ -41,7 +41,7 @@ constexpr std::array table{
 
 constexpr double mostPlain = 1e4; // from here on a larger unit is said
 constexpr double mostWithPrefix = 1e3;
-constexpr double leastSaid = 0.1;   // of a smaller unit, before a still smaller one
+constexpr double leastSaid = 0.1; // of a smaller unit, before a still smaller one
 
 std::size_t lengthOfFirst(std::string_view unit)
 {

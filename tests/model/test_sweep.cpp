@@ -262,6 +262,23 @@ private slots:
         QVERIFY(folder.table()[1][6].contains("missed the wanted accuracy"));
     }
 
+    // Two lists of one path would leave rows that say what was not flown; measures after the end
+    // would leave empty columns.
+    void refusesWhatComesToNothing()
+    {
+        Folder folder;
+        const Outcome twice =
+            call({"sweep", folder.file, "--sweep", "settings.airDensity=1,2", "--sweep",
+                  "settings.airDensity=3,4", "--seconds", "1", "-o", folder.output});
+        QCOMPARE(twice.exitCode, 2);
+        QVERIFY2(twice.error.contains("is varied twice"), qPrintable(twice.error));
+        const Outcome late = call({"sweep", folder.file, "--sweep", "settings.airDensity=1,2",
+                                   "--seconds", "1", "--from", "1", "-o", folder.output});
+        QCOMPARE(late.exitCode, 2);
+        QVERIFY2(late.error.contains("are over at 1 s"), qPrintable(late.error));
+        QVERIFY(!QFile::exists(folder.output));
+    }
+
     void refuses_data()
     {
         QTest::addColumn<QString>("sweep");
