@@ -4892,6 +4892,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>A recording keeps no list of the worst of its run: fly the design to have one.</source>
+        <translation>Un enregistrement ne garde pas la liste des pires de son vol : faites voler le modèle pour en avoir une.</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>Click a place to select it and bring it to the middle of the view.</source>
         <translation>Cliquer un endroit pour le sélectionner et l’amener au milieu de la vue.</translation>
     </message>
@@ -4984,11 +4989,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_panel.cpp"/>
         <source>Worst of the run</source>
         <translation>Pires du vol</translation>
-    </message>
-    <message>
-        <location filename="load_panel.cpp"/>
-        <source>Worst of the run: recordings do not keep it</source>
-        <translation>Pires du vol : les enregistrements ne les gardent pas</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>

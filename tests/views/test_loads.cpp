@@ -136,6 +136,28 @@ private slots:
         QCOMPARE(chosen[0][0].toUInt(), 4U);
     }
 
+    // Of a run that it has not seen it knows the moment alone, and says so.
+    void recordingsKeepNoListOfTheWorst()
+    {
+        Bench bench(hangingPair(40.0));
+        QTRY_VERIFY(bench.player.frame());
+        bench.player.playUntil(0.1);
+        QTRY_COMPARE(bench.panel.ofRun().topLevelItemCount(), 1);
+        const auto saysWhy = [&] {
+            return std::ranges::any_of(bench.panel.findChildren<QLabel*>(), [](QLabel* label) {
+                return label->isVisible() && label->text().contains("keeps no list of the worst");
+            });
+        };
+        QVERIFY(!saysWhy());
+        auto past = std::make_shared<Frame>(*bench.player.frame());
+        past->worstOfRun = {};
+        past->run += 100;
+        bench.player.lookAt(past);
+        QTRY_VERIFY(saysWhy());
+        QCOMPARE(bench.panel.ofRun().topLevelItemCount(), 0);
+        QCOMPARE(bench.panel.now().topLevelItemCount(), 1);
+    }
+
     // After a reset one still reads what the run came to, until the next one has begun.
     void theWorstStaysAfterAReset()
     {

@@ -235,11 +235,9 @@ void LoadPanel::refresh()
     if (!isVisible())
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
-    m_ofRun->setTitle(!isOfRun()      ? tr("Worst of the run: recordings do not keep it")
-                      : isBeforeRun() ? tr("Of the last run")
-                                      : tr("Worst of the run"));
+    m_ofRun->setTitle(isBeforeRun() ? tr("Of the last run") : tr("Worst of the run"));
     m_ofRun->showPlaces(m_document.scene(), places);
-    showMore();
+    showMore(places.empty() && m_player.isLookingBack());
     showLaunch(*frame, ofRun);
     if (std::exchange(m_isEdited, false)) {
         showUnjudged();
@@ -287,11 +285,14 @@ void LoadPanel::showOpening()
             .arg(QStringLiteral("<a href=\"#\">%1</a>").arg(remedy.toHtmlEscaped())));
 }
 
-void LoadPanel::showMore()
+void LoadPanel::showMore(bool isUnknown)
 {
     const bool isMore = isOfRun() && m_breaks > FirstBreaks::most;
-    m_more->setVisible(isMore);
-    if (isMore)
+    m_more->setVisible(isUnknown || isMore);
+    if (isUnknown)
+        m_more->setText(tr("A recording keeps no list of the worst of its run: fly the design to "
+                           "have one."));
+    else if (isMore)
         m_more->setText(
             tr("%1 places have broken: the list has those that broke first, and the worst "
                "of the others.")

@@ -68,7 +68,7 @@ private:
     void selectUnjudged();
     void showUntearable();
     void showOpening();
-    void showMore();
+    void showMore(bool isUnknown);
     void showLaunch(const Frame& frame, const WorstPlaces& ofRun);
     void letTear();
     void takeSafetyFactor();
@@ -86,7 +86,7 @@ private:
     QLabel* m_unjudged;        // materials without a strength, below the lists
     QLabel* m_untearable;      // materials that hold beyond theirs, likewise
     QLabel* m_opening;         // that canopies open too softly
-    QLabel* m_more;            // that more has broken than is listed
+    QLabel* m_more;            // that more has broken than is listed, or why nothing is listed
     QLabel* m_launch;          // that the worst of the run was the launch
     bool m_isEdited = true;    // since those were found
     WorstPlaces m_worst;       // of the newest run that left the design, also when it was reset
