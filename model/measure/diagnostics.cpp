@@ -175,11 +175,12 @@ double fabricArea(const System& system, const State& state)
     return area;
 }
 
-std::vector<double> strains(const System& system, const State& state)
+void fillStrains(const System& system, const State& state, std::vector<double>& restLength,
+                 std::vector<double>& strain)
 {
-    std::vector<double> restLength(system.rods.size());
+    restLength.resize(system.rods.size());
     fillRestLengths(system, state, restLength);
-    std::vector<double> strain;
+    strain.clear();
     strain.reserve(system.links.size());
     for (const LinkPlace& link : system.links) {
         const auto index = std::size_t(link.index);
@@ -188,6 +189,13 @@ std::vector<double> strains(const System& system, const State& state)
         const bool measurable = rest > 0.0 && !isTorn(link, state);
         strain.push_back(measurable ? separation(link, state).norm() / rest - 1.0 : 0.0);
     }
+}
+
+std::vector<double> strains(const System& system, const State& state)
+{
+    std::vector<double> restLength;
+    std::vector<double> strain;
+    fillStrains(system, state, restLength, strain);
     return strain;
 }
 
@@ -202,9 +210,9 @@ double pullOfRod(const System& system, const State& state, std::size_t index)
     return isSlack(rod.resists, stretch) ? 0.0 : stretch / rod.compliance;
 }
 
-std::vector<double> tensions(const System& system, const State& state)
+void fillTensions(const System& system, const State& state, std::vector<double>& tension)
 {
-    std::vector<double> tension;
+    tension.clear();
     tension.reserve(system.links.size());
     for (const LinkPlace& link : system.links) {
         const auto index = std::size_t(link.index);
@@ -217,6 +225,12 @@ std::vector<double> tensions(const System& system, const State& state)
                                                   state.velocity[std::size_t(link.b)]
                                                       - state.velocity[std::size_t(link.a)]));
     }
+}
+
+std::vector<double> tensions(const System& system, const State& state)
+{
+    std::vector<double> tension;
+    fillTensions(system, state, tension);
     return tension;
 }
 
@@ -244,13 +258,19 @@ double largestPanelStrain(const System& system, const State& state, std::span<co
     return most;
 }
 
-std::vector<PanelPull> panelPulls(const System& system, const State& state)
+void fillPanelPulls(const System& system, const State& state, std::vector<PanelPull>& pulls)
 {
-    std::vector<PanelPull> pulls(system.membranes.empty() ? 0 : system.panels.size());
+    pulls.assign(system.membranes.empty() ? 0 : system.panels.size(), {});
     for (const Membrane& membrane : system.membranes)
         if (!state.panelGone[std::size_t(membrane.panel)])
             pulls[std::size_t(membrane.panel)] =
                 pullOf(system, membrane, cornersOf(system, membrane, state.position));
+}
+
+std::vector<PanelPull> panelPulls(const System& system, const State& state)
+{
+    std::vector<PanelPull> pulls;
+    fillPanelPulls(system, state, pulls);
     return pulls;
 }
 

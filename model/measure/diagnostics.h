@@ -53,6 +53,14 @@ double largestPanelStrain(const System& system, const State& state, std::span<co
 // carries any.
 std::vector<PanelPull> panelPulls(const System& system, const State& state);
 
+// The same three into arrays that are kept from one reading to the next, which takes nothing from
+// the heap when they have had their sizes.
+//   restLength  [rods] m, scratch
+void fillStrains(const System& system, const State& state, std::vector<double>& restLength,
+                 std::vector<double>& strain);
+void fillTensions(const System& system, const State& state, std::vector<double>& tension);
+void fillPanelPulls(const System& system, const State& state, std::vector<PanelPull>& pulls);
+
 // Air load of each panel, N, 0 where gone.
 std::vector<Vec3> panelLoads(const System& system, const State& state);
 

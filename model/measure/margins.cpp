@@ -302,15 +302,6 @@ bool mayBreak(const System& system)
               });
 }
 
-void judge(const System& system, JudgedPlaces& judged)
-{
-    if (!mayBreak(system))
-        return;
-    judgeLinks(system, judged);
-    judgePanels(system, judged);
-    judgeSpars(system, judged);
-}
-
 // The links of lines that meet at a particle; of more than two, how many there are tells enough.
 struct LineEnds
 {
@@ -347,10 +338,20 @@ JoinedSets chainsOf(const System& system)
 
 } // namespace
 
-JudgedPlaces judgedPlacesOf(const System& system)
+JudgedPlaces unnamedPlacesOf(const System& system)
 {
     JudgedPlaces judged;
-    judge(system, judged);
+    if (!mayBreak(system))
+        return judged;
+    judgeLinks(system, judged);
+    judgePanels(system, judged);
+    judgeSpars(system, judged);
+    return judged;
+}
+
+JudgedPlaces judgedPlacesOf(const System& system)
+{
+    JudgedPlaces judged = unnamedPlacesOf(system);
     if (judged.isEmpty())
         return judged;
     JoinedSets chains = chainsOf(system);
@@ -364,10 +365,17 @@ JudgedPlaces judgedPlacesOf(const System& system)
 Margins margins(const System& system, const State& state)
 {
     Margins result;
-    JudgedPlaces judged; // that need no names
-    judge(system, judged);
+    fillMargins(system, state, unnamedPlacesOf(system), result);
+    return result;
+}
+
+void fillMargins(const System& system, const State& state, const JudgedPlaces& judged,
+                 Margins& result)
+{
+    result.link.clear();
+    result.panel.clear();
     if (judged.isEmpty())
-        return result;
+        return;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     result.link.assign(system.links.size(), none);
     result.panel.assign(system.panels.size(), none);
@@ -377,7 +385,6 @@ Margins margins(const System& system, const State& state)
             held = std::fmax(held, loaded.margin()); // passes over what is no number
         }
     });
-    return result;
 }
 
 namespace {

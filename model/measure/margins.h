@@ -63,13 +63,18 @@ struct JudgedPlaces
 
     bool isEmpty() const { return links.empty() && panels.empty() && spars.empty(); }
 
-    // The names of places. What is of one material is one line as long as no third line ends at a
-    // particle of it, and one spar where it bends.
+    // The names of places, which margins do not need. What is of one material is one line as long
+    // as no third line ends at a particle of it, and one spar where it bends.
     std::vector<Key> linkName; // [System::links]
     std::vector<Key> lineName; // the same, of the first link of the line or spar
 };
 
 JudgedPlaces judgedPlacesOf(const System& system);
+JudgedPlaces unnamedPlacesOf(const System& system);
+
+// The same as margins(); takes nothing from the heap when the arrays have had their sizes.
+void fillMargins(const System& system, const State& state, const JudgedPlaces& judged,
+                 Margins& result);
 
 // Offers all places, as they are loaded at the time of the state. Takes nothing from the heap, and
 // neither does tornPlace().

@@ -19,6 +19,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -83,60 +84,102 @@ double tornCount(const ProbeSpec& probe, const System& system, const State& stat
 
 } // namespace
 
+bool isLoad(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::Tension:
+    case Quantity::MaxTension:
+    case Quantity::Strain:
+    case Quantity::MaxStrain:
+    case Quantity::Margin:
+    case Quantity::FabricStress:
+    case Quantity::BendingMoment:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void Readings::goTo(const System& system, const State& state)
+{
+    m_system = &system;
+    m_state = &state;
+    m_before = nullptr;
+    m_strain.isKnown = false;
+    m_tension.isKnown = false;
+    m_panelLoad.isKnown = false;
+    m_lineDrag.isKnown = false;
+    m_panelPull.isKnown = false;
+    m_energy.isKnown = false;
+    m_margin.isKnown = false;
+    m_judged.isKnown &= m_serial == system.serial && m_valuesSerial == system.valuesSerial;
+}
+
 const std::vector<double>& Readings::strain()
 {
-    if (!m_strain)
-        m_strain = strains(m_system, m_state);
-    return *m_strain;
+    if (!std::exchange(m_strain.isKnown, true))
+        fillStrains(system(), state(), m_restLength, m_strain.value);
+    return m_strain.value;
 }
 
 const std::vector<double>& Readings::tension()
 {
-    if (!m_tension)
-        m_tension = tensions(m_system, m_state);
-    return *m_tension;
+    if (!std::exchange(m_tension.isKnown, true))
+        fillTensions(system(), state(), m_tension.value);
+    return m_tension.value;
 }
 
 const std::vector<Vec3>& Readings::panelLoad()
 {
-    if (!m_panelLoad)
-        m_panelLoad = panelLoads(m_system, m_state);
-    return *m_panelLoad;
+    if (!std::exchange(m_panelLoad.isKnown, true))
+        m_panelLoad.value = panelLoads(system(), state());
+    return m_panelLoad.value;
 }
 
 const std::vector<PanelPull>& Readings::panelPull()
 {
-    if (!m_panelPull)
-        m_panelPull = panelPulls(m_system, m_state);
-    return *m_panelPull;
+    if (!std::exchange(m_panelPull.isKnown, true))
+        fillPanelPulls(system(), state(), m_panelPull.value);
+    return m_panelPull.value;
 }
 
 const Energies& Readings::energy()
 {
-    if (!m_energy)
-        m_energy = energies(m_system, m_state);
-    return *m_energy;
+    if (!std::exchange(m_energy.isKnown, true))
+        m_energy.value = energies(system(), state());
+    return m_energy.value;
 }
 
 const Margins& Readings::margin()
 {
-    if (!m_margin)
-        m_margin = margins(m_system, m_state);
-    return *m_margin;
+    if (!std::exchange(m_judged.isKnown, true)) {
+        m_judged.value = unnamedPlacesOf(system());
+        m_serial = system().serial;
+        m_valuesSerial = system().valuesSerial;
+    }
+    if (!std::exchange(m_margin.isKnown, true))
+        fillMargins(system(), state(), m_judged.value, m_margin.value);
+    return m_margin.value;
+}
+
+const std::vector<std::uint8_t>& Readings::isOf(const ProbeSpec& probe)
+{
+    m_isOf.assign(system().links.size(), 0);
+    for (const int link : probe.links)
+        m_isOf[std::size_t(link)] = 1;
+    return m_isOf;
 }
 
 Vec3 Readings::lineDragOf(const ProbeSpec& probe)
 {
     Vec3 sum = Vec3::Zero();
-    const std::vector<DragLine>& lines = m_system.of<LineLists>().list;
+    const std::vector<DragLine>& lines = system().of<LineLists>().list;
     if (lines.empty())
         return sum;
-    if (!m_lineDrag)
-        m_lineDrag = lineDrags(m_system, m_state);
-    const std::vector<Vec3>& drag = *m_lineDrag;
-    std::vector<std::uint8_t> wanted(m_system.links.size(), 0);
-    for (const int link : probe.links)
-        wanted[std::size_t(link)] = 1;
+    if (!std::exchange(m_lineDrag.isKnown, true))
+        m_lineDrag.value = lineDrags(system(), state());
+    const std::vector<Vec3>& drag = m_lineDrag.value;
+    const std::vector<std::uint8_t>& wanted = isOf(probe);
     for (std::size_t i = 0; i < drag.size(); ++i)
         if (wanted[std::size_t(lines[i].link)])
             sum += drag[i];
@@ -153,8 +196,8 @@ Vec3 Readings::airForceOf(const ProbeSpec& probe)
 
 double Readings::value(const ProbeSpec& probe)
 {
-    const System& system = m_system;
-    const State& state = m_state;
+    const System& system = *m_system;
+    const State& state = *m_state;
     const auto position = [&] { return meanOf(probe, system, state.position); };
     const auto velocity = [&] { return meanOf(probe, system, state.velocity); };
     const auto line = [&]() -> Vec3 {
@@ -208,17 +251,17 @@ double Readings::value(const ProbeSpec& probe)
     case Quantity::EnergyChange:
         return energy().total() - energies(system, system.start).total();
     case Quantity::WorkOfAir:
-        return m_state.work.air;
+        return state.work.air;
     case Quantity::WorkOfHands:
-        return m_state.work.hands;
+        return state.work.hands;
     case Quantity::WorkOfDamping:
-        return m_state.work.damping;
+        return state.work.damping;
     case Quantity::WorkOfContact:
-        return m_state.work.contact;
+        return state.work.contact;
     case Quantity::WorkOfTearing:
-        return m_state.work.tearing;
+        return state.work.tearing;
     case Quantity::EnergyResidual:
-        return m_state.work.residual;
+        return state.work.residual;
     case Quantity::TornLinks:
         return tornCount(probe, system, state);
     case Quantity::CanopyPressure:

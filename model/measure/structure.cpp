@@ -73,9 +73,7 @@ double wrinkledShare(const ProbeSpec& probe, Readings& readings)
 double bendingMoment(const ProbeSpec& probe, Readings& readings)
 {
     const System& system = readings.system();
-    std::vector<std::uint8_t> isMeant(system.links.size(), 0);
-    for (const int link : probe.links)
-        isMeant[std::size_t(link)] = 1;
+    const std::vector<std::uint8_t>& isMeant = readings.isOf(probe);
     double largest = nothing;
     for (const Bend& bend : system.of<BendLists>().list)
         if (bend.ofSpar && (isMeant[std::size_t(bend.of[0])] || isMeant[std::size_t(bend.of[1])]))

@@ -15,9 +15,10 @@ constexpr auto betweenFrames = 15ms; // views take one every 16; more would only
 constexpr auto worthAFrame = 2ms;    // before the next step is due
 
 // What depends on the clock is nowhere but in what somebody watches.
+//   probe  [probes], or empty
 void readClock(std::vector<double>& probe, double realTimeRatio, const System& system)
 {
-    for (std::size_t i = 0; i < system.probes.size(); ++i)
+    for (std::size_t i = 0; i < probe.size(); ++i)
         if (system.probes[i].quantity == Quantity::StepsPerSecond)
             probe[i] = realTimeRatio / system.timeStep;
 }
@@ -165,9 +166,10 @@ void RunnerLoop::show()
     if (m_settler)
         frame->settling = m_settler->progress();
     frame->realTimeRatio = m_pace.update(frame->time);
-    readClock(frame->probe, frame->realTimeRatio, m_simulation->system());
+    for (std::vector<double>* const probe : {&frame->probe, &frame->highest})
+        readClock(*probe, frame->realTimeRatio, m_simulation->system());
     if (!frame->probe.empty()) // a frame may go unseen, what the probes read may not
-        m_mail.putSample({frame->run, frame->layout, frame->time, frame->probe});
+        m_mail.putSample({frame->run, frame->layout, frame->time, frame->probe, frame->highest});
     m_mail.frames.put(std::move(frame));
     m_framed = RunnerClock::now();
     m_isFresh = false;
@@ -178,7 +180,9 @@ void RunnerLoop::sample()
     if (m_simulation->system().probes.empty())
         return;
     ProbeSample read = m_simulation->sample();
-    readClock(read.probe, m_pace.update(read.time), m_simulation->system());
+    const double ratio = m_pace.update(read.time);
+    for (std::vector<double>* const probe : {&read.probe, &read.highest})
+        readClock(*probe, ratio, m_simulation->system());
     m_mail.putSample(std::move(read));
 }
 

@@ -146,6 +146,7 @@ struct Frame
     std::vector<double> inputCommand;     // [inputs] m
     std::vector<double> inputValue;       // [inputs] m
     std::vector<double> probe;            // [probes] in the unit of the probe
+    std::vector<double> highest;          // the same, as ProbeSample has it
     std::vector<Tear> tears;              // all since the start, in order of time
     std::vector<ControlCommand> commands; // all since the start, in order of time
     HandTrack hands;                      // the same
@@ -159,12 +160,19 @@ struct Frame
 };
 
 // What the probes read at an instant of which there is no frame.
+//
+// An instant is the end of a time step. What a load was within a step that was done again in finer
+// ones, for a blow, or when something broke, may be higher (simulation/probe_peaks.h).
 struct ProbeSample
 {
     std::uint64_t run = 0;
     std::shared_ptr<const Layout> layout;
     double time = 0.0;         // s
     std::vector<double> probe; // [probes] in the unit of the probe
+    std::vector<double> highest =
+        {}; // [probes] within the step; empty where no higher one is known
+
+    const std::vector<double>& most() const { return highest.empty() ? probe : highest; }
 };
 
 } // namespace ripstop

@@ -37,10 +37,24 @@ std::vector<double> ProbeReader::read(Readings& readings)
     values.reserve(probes.size());
     for (const ProbeSpec& probe : probes)
         values.push_back(readings.value(probe));
-    for (std::size_t i = 0; i < probes.size(); ++i)
+    followFormulas(values);
+    return values;
+}
+
+std::vector<double> ProbeReader::highest(std::vector<double> values, const ProbePeaks& peaks) const
+{
+    if (peaks.isEmpty())
+        return {};
+    peaks.raise(values);
+    followFormulas(values);
+    return values;
+}
+
+void ProbeReader::followFormulas(std::vector<double>& values) const
+{
+    for (std::size_t i = 0; i < m_formulas.size(); ++i)
         if (m_formulas[i])
             values[i] = m_formulas[i]->value(values);
-    return values;
 }
 
 } // namespace ripstop

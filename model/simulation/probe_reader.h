@@ -6,6 +6,7 @@
 
 #include "derived/formula.h"
 #include "measure/probe.h"
+#include "simulation/probe_peaks.h"
 
 #include <optional>
 #include <vector>
@@ -18,8 +19,13 @@ public:
     // In the units of the probes; not a number where there is nothing to read.
     std::vector<double> read(Readings& readings);
 
+    // What was higher within the step that has led there; empty where nothing was.
+    //   values  that were read last
+    std::vector<double> highest(std::vector<double> values, const ProbePeaks& peaks) const;
+
 private:
     void prepare(const std::vector<ProbeSpec>& probes);
+    void followFormulas(std::vector<double>& values) const;
 
     struct Known
     {

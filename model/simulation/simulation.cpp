@@ -12,6 +12,8 @@
 #include "simulation/derived_system.h"
 #include "simulation/hand_work.h"
 #include "simulation/load_watch.h"
+#include "simulation/note_accuracy.h"
+#include "simulation/probe_peaks.h"
 #include "simulation/probe_reader.h"
 #include "simulation/ramps.h"
 #include "simulation/recent_damping.h"
@@ -72,18 +74,18 @@ public:
     RecentDamping damping; // that it tells of
     SnatchLoads snatches;
     LoadWatch loads;
+    ProbePeaks peaks;
     std::optional<Trouble> trouble;
 
 private:
-    enum class Peaks { AtEnd, Within }; // where loads are looked for in a step
+    enum class Look { AtEnd, Within }; // where loads are looked for in a step
 
     std::optional<NotedNumbers> numbersBeforeEdit() const;
     void rampFrom(const std::optional<NotedNumbers>& noted);
     std::shared_ptr<const System> endRamps();
     void followRamps(double time);
     void forgetAccuracy();
-    void noteAccuracy(std::size_t torn); // so many things in this step
-    int advance(bool keepsLedger, Peaks peaks);
+    int advance(bool keepsLedger, Look look);
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -224,6 +226,7 @@ void Simulation::Private::place(State state)
 {
     loads.begin();
     snatches = {};
+    peaks.forget();
     const bool ramped = hasRamps(run.now) || hasRamps(state);
     endRamps();
     if (ramped)
@@ -247,14 +250,14 @@ bool Simulation::Private::step()
         run.now.work.hands += energies(system(), run.now).total() - energy;
     run.lastGood = run.now;
     const std::size_t tears = run.now.tears.size();
-    int substeps = advance(keepsLedger, Peaks::AtEnd);
+    int substeps = advance(keepsLedger, Look::AtEnd);
     const bool isTooLong = snatches.isTooLong(system(), run.lastGood, run.now, stepper);
     if (isTooLong && system().solver == Solver::Auto) { // others do what they are told
         const int chosen = run.now.substeps; // for the next step, which may be a usual one
         run.now = run.lastGood;
         const int refinement = stepper.refinement();
         stepper.refine(SnatchLoads::finer * refinement);
-        substeps = advance(keepsLedger, Peaks::Within);
+        substeps = advance(keepsLedger, Look::Within);
         stepper.refine(refinement);
         run.now.substeps = chosen;
     }
@@ -264,8 +267,9 @@ bool Simulation::Private::step()
         ++accuracy.missed;
         std::swap(run.now, run.lastGood);
     } else {
-        noteAccuracy(run.now.tears.size() - tears);
+        noteAccuracy(system(), stepper, run.now, run.now.tears.size() - tears, damping, accuracy);
         loads.look(system(), run.now, tears);
+        peaks.noteTears(system(), run.now, tears);
         snatches.note(system(), stepper, isTooLong);
         if (loads.hasPeakAfter(run.lastGood.time))
             loads.noteShortfall(run.lastGood.time,
@@ -276,16 +280,18 @@ bool Simulation::Private::step()
 }
 
 // Returns the number of substeps that it took.
-int Simulation::Private::advance(bool keepsLedger, Peaks peaks)
+int Simulation::Private::advance(bool keepsLedger, Look look)
 {
     stepper.stopWatches();
+    peaks.beginStep(system(), run.now);
     if (keepsLedger) {
         ledger.begin(system(), run.now, substep());
         stepper.watch(ledger);
     }
-    if (peaks == Peaks::Within) {
+    if (look == Look::Within) {
         loads.beginStep();
         stepper.watch(loads);
+        stepper.watch(peaks);
     }
     const int substeps = stepper.step(system(), run.now);
     if (keepsLedger)
@@ -298,42 +304,7 @@ void Simulation::Private::forgetAccuracy()
     accuracy = {};
     damping = {};
     snatches = {};
-}
-
-void Simulation::Private::noteAccuracy(std::size_t torn)
-{
-    const StepAccuracy& last = stepper.accuracy();
-    const double ratio = last.ratio(system());
-    accuracy.pulls = last.pulls;
-    accuracy.strain = last.strain;
-    accuracy.wantedPulls = system().accuracy;
-    accuracy.wantedStrain = system().strainGoal;
-    accuracy.isAutomatic = system().solver == Solver::Auto;
-    ++accuracy.steps;
-    if (ratio > 1.0) {
-        ++accuracy.missed;
-        accuracy.missedLast = run.now.time;
-        if (torn > 0 && accuracy.tornUntrue == 0)
-            accuracy.tornUntrueFirst = run.now.time;
-        accuracy.tornUntrue += std::int64_t(torn);
-    }
-    damping.add(stepper.numericalDamping(), system(), run.now);
-    accuracy.damping = damping.ratio();
-    accuracy.lost = std::max(accuracy.lost, damping.lost());
-    accuracy.couldTakeBdf2 =
-        stepper.integrator() != Integrator::Bdf2
-        && (system().solver == Solver::Auto || system().solver == Solver::Direct);
-    accuracy.losesInLines = accuracy.lost > RunAccuracy::mostLost
-                            && std::ranges::any_of(system().rods, [](const Rod& rod) {
-                                   return rod.resists == Resists::Tension && rod.compliance == 0.0;
-                               });
-    if (ratio > accuracy.worst) {
-        const int rod = last.worstRod(system());
-        accuracy.worst = ratio;
-        accuracy.worstTime = run.now.time;
-        accuracy.worstLink =
-            rod < 0 ? 0 : system().links[std::size_t(system().rodLink[std::size_t(rod)])].key;
-    }
+    peaks.forget();
 }
 
 double Simulation::Private::substep() const
@@ -365,6 +336,7 @@ std::shared_ptr<Frame> Simulation::Private::frame()
     frame->panelLoad = instant.panelLoad();
     frame->panelPull = panelPulls(system(), state);
     frame->probe = probes.read(instant);
+    frame->highest = probes.highest(frame->probe, peaks);
     frame->linkMargin = instant.margin().link;
     frame->panelMargin = instant.margin().panel;
     frame->worstNow = loads.now(system(), state);
@@ -493,8 +465,10 @@ std::shared_ptr<Frame> Simulation::frame() const { return d->frame(); }
 ProbeSample Simulation::sample() const
 {
     Readings instant = d->readings();
-    return {d->system().run, d->derived.layout(d->run.now), d->run.now.time,
-            d->probes.read(instant)};
+    std::vector<double> probe = d->probes.read(instant);
+    std::vector<double> highest = d->probes.highest(probe, d->peaks);
+    return {d->system().run, d->derived.layout(d->run.now), d->run.now.time, std::move(probe),
+            std::move(highest)};
 }
 
 } // namespace ripstop

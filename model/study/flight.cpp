@@ -36,7 +36,8 @@ public:
         const ProbeSample sample = simulation.sample();
         for (std::size_t i = 0; i < m_reader.size(); ++i)
             if (m_place[i] < sample.probe.size())
-                m_reader[i].take(sample.time, sample.probe[m_place[i]], timeStep);
+                m_reader[i].take(sample.time, sample.probe[m_place[i]], sample.most()[m_place[i]],
+                                 timeStep);
     }
 
     std::vector<double> results() const

@@ -63,7 +63,7 @@ std::vector<Measure> usualMeasures(const std::vector<Layout::Probe>& probes, dou
 
 // Means of times and values are followed as they come (Welford 1962), so that a slope late in a
 // long flight loses no digits.
-void MeasureReader::take(double time, double value, double timeStep)
+void MeasureReader::take(double time, double value, double most, double timeStep)
 {
     const bool isIn =
         hasReached(time, m_measure.from, timeStep)
@@ -71,15 +71,15 @@ void MeasureReader::take(double time, double value, double timeStep)
     if (!isIn)
         return;
     m_last = value;
+    if (std::isfinite(most) && most > m_largest) {
+        m_largest = most;
+        m_largestTime = time;
+    }
     if (!std::isfinite(value))
         return;
     if (value < m_least) {
         m_least = value;
         m_leastTime = time;
-    }
-    if (value > m_largest) {
-        m_largest = value;
-        m_largestTime = time;
     }
     m_count += 1.0;
     m_sum += value;

@@ -55,7 +55,8 @@ public:
     {}
 
     // Times rise. `timeStep`, s, decides whether a moment is in the window (reached.h).
-    void take(double time, double value, double timeStep);
+    //   most  ProbeSample::most() of the same instant, which the largest are of
+    void take(double time, double value, double most, double timeStep);
 
     double result() const; // not a number when no value counted
 

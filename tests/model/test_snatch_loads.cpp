@@ -1,14 +1,18 @@
 // Loads that come in a blow: what a run tells of them, and of how far that is from what they are.
 #include "builders/builder.h"
+#include "builders/network.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
+#include "measure/probe.h"
 #include "model/chain.h"
 #include "model/first_item.h"
 #include "registered_test.h"
 #include "simulation/simulation.h"
+#include "study/flight.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -65,6 +69,13 @@ double largestPull(Scene scene)
                  * std::exp(-z / root * turned);
 }
 
+std::size_t tensionProbe(const Simulation& simulation)
+{
+    const std::vector<ProbeSpec>& probes = simulation.system().probes;
+    const auto probe = std::ranges::find(probes, Quantity::Tension, &ProbeSpec::quantity);
+    return std::size_t(probe - probes.begin());
+}
+
 constexpr double strength = 100.0; // N
 
 // 2 kg that fall half a metre into a line of 1 m.
@@ -111,6 +122,93 @@ private slots:
             QVERIFY2(!place.isAtLeast(), qPrintable(QString::number(place.shortfall)));
         if (rate == 240.0 && segments == 20.0)
             QVERIFY(place.load * (1.0 + place.shortfall) > truth);
+    }
+
+    // What a probe reads of the blow is what the list of loads tells of it, and so it is in a study
+    // and in a formula.
+    void probesFeelTheSnatch()
+    {
+        Scene scene = rope(110.0, 1.0); // of one link, which its probe reads
+        addProbe(scene, "twice", Quantity::Formula);
+        firstWith<Probe>(scene, "twice").formula = "2*tension";
+        Simulation simulation(*compile(scene));
+        const std::size_t probe = tensionProbe(simulation);
+        double most = 0.0;
+        double twice = 0.0;
+        while (simulation.state().time < 1.0) {
+            QVERIFY(simulation.step());
+            most = std::max(most, simulation.sample().most()[probe]);
+            twice = std::max(twice, simulation.sample().most().back());
+        }
+        const double load = simulation.frame()->worstOfRun.all()[0].load;
+        QVERIFY2(std::abs(most - load) < 1e-9 * load,
+                 qPrintable(QString("%1, the list has %2").arg(most).arg(load)));
+        const double truth = largestPull(scene);
+        QVERIFY2(std::abs(most - truth) < 0.1 * truth, qPrintable(QString::number(most)));
+        QCOMPARE(twice, 2.0 * most);
+
+        FlightPlan plan;
+        plan.seconds = 1.0;
+        plan.measures = {{"tension", Reduction::Largest}};
+        QCOMPARE(fly(scene, {}, plan)->measured.front(), most);
+    }
+
+    // The mean of what it reads is of instants alone: what a line pulls with over a second, less
+    // the part of the weight that is along it, is what turns the momentum of what swings.
+    void instantsAreAsTheyWere()
+    {
+        Simulation simulation(*compile(rope(110.0, 1.0)));
+        const std::size_t probe = tensionProbe(simulation);
+        std::size_t withPeak = 0;
+        while (simulation.state().time < 1.0) {
+            QVERIFY(simulation.step());
+            const ProbeSample sample = simulation.sample();
+            const System& system = simulation.system();
+            QCOMPARE(sample.probe[probe],
+                     Readings(system, simulation.state()).value(system.probes[probe]));
+            withPeak += sample.most()[probe] > sample.probe[probe];
+        }
+        QVERIFY(withPeak > 0);
+        QVERIFY2(withPeak < 48, qPrintable(QString::number(withPeak))); // of 240, those of the blow
+    }
+
+    // A place to which a run is put has had no step.
+    void placesHaveNoPeak()
+    {
+        const auto system = *compile(rope(110.0, 1.0));
+        Simulation simulation(system);
+        while (simulation.sample().highest.empty())
+            QVERIFY(simulation.step() && simulation.state().time < 1.0);
+        Simulation there(system);
+        there.place(simulation.state());
+        QVERIFY(there.sample().highest.empty());
+        simulation.load(system);
+        QVERIFY(simulation.sample().highest.empty());
+    }
+
+    // A line that breaks bears nothing at the end of the step; what it bore counts.
+    void probesTellWhatBreaks()
+    {
+        Scene scene = rope(110.0);
+        Material& cord = firstOf<Material>(scene);
+        const double strength = 0.5 * largestPull(scene);
+        cord.lineStrength = strength;
+        addProbe(scene, "margin", Quantity::Margin);
+        addProbe(scene, "all", Quantity::MaxTension);
+        Simulation simulation(*compile(scene));
+        double pull = 0.0;
+        double margin = 0.0;
+        while (simulation.state().tears.empty()) {
+            QVERIFY(simulation.step() && simulation.state().time < 1.0);
+            const ProbeSample sample = simulation.sample();
+            pull = sample.most().back();
+            margin = sample.most()[sample.probe.size() - 2];
+        }
+        QVERIFY(pull >= simulation.state().tears[0].force);
+        const double bears = strength * cord.jointEfficiency.value_or(1.0);
+        QVERIFY2(std::abs(margin * bears - pull) < 1e-9 * pull,
+                 qPrintable(QString::number(margin)));
+        QVERIFY(margin >= 1.0);
     }
 
     // A weight that falls into its line: the run knows the jerk, when the moment has long

@@ -280,7 +280,7 @@ private slots:
         const auto of = [](Reduction reduction, double from = 0.0, double to = 1e300) {
             MeasureReader reader({"v", reduction, 90.0, from, to});
             for (int i = 0; i <= 1000; ++i)
-                reader.take(0.01 * i, 3.0 * 0.01 * i + 1.0, 0.01);
+                reader.take(0.01 * i, 3.0 * 0.01 * i + 1.0, 3.0 * 0.01 * i + 1.0, 0.01);
             return reader.result();
         };
         QCOMPARE(of(Reduction::Last), 31.0);

@@ -28,7 +28,7 @@ void dropEverySecond(std::vector<double>& values)
 
 void History::add(const Frame& frame)
 {
-    take(frame.run, frame.layout, frame.time, frame.probe);
+    take(frame.run, frame.layout, frame.time, frame.highest.empty() ? frame.probe : frame.highest);
     m_tears.clear();
     for (const Tear& tear : frame.tears)
         if (tear.time >= m_since)
@@ -37,7 +37,7 @@ void History::add(const Frame& frame)
 
 void History::add(const ProbeSample& sample)
 {
-    take(sample.run, sample.layout, sample.time, sample.probe);
+    take(sample.run, sample.layout, sample.time, sample.most());
 }
 
 void History::take(std::uint64_t run, const std::shared_ptr<const Layout>& layout, double time,

@@ -24,8 +24,9 @@ public:
         : m_most(most)
     {}
 
-    // Frames of one run come in order of time; one of another run starts over. A probe that was
-    // added in the middle of the run has read nothing (NaN) before.
+    // What was higher within a time step takes the place of what it ended with, so that a picture
+    // shows each blow. Frames of one run come in order of time; one of another run starts over. A
+    // probe that was added in the middle of the run has read nothing (NaN) before.
     void add(const Frame& frame);
     void add(const ProbeSample& sample);      // between two frames
     void clear();                             // forgets what was until now; the run goes on
