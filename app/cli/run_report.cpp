@@ -65,6 +65,16 @@ PlaceInDesign placesIn(const System& compiled)
     };
 }
 
+// By how much, 1, what broke first bore more than it holds, as what bears too much breaks at the
+// end of a step. Null where it has no strength.
+Json overStrength(const Frame& frame, const System& compiled)
+{
+    const std::span<const LoadedPlace> first = frame.firstBreaks.all();
+    if (first.empty() || !(first[0].strength > 0.0))
+        return nullptr;
+    return std::max(0.0, first[0].margin() / compiled.safetyFactor - 1.0);
+}
+
 Json tearSummary(const Frame& frame, const System& compiled)
 {
     const std::span<const Tear> tears = frame.tears;
@@ -75,7 +85,9 @@ Json tearSummary(const Frame& frame, const System& compiled)
     result["first"] = nullptr;
     if (!tears.empty())
         result["first"] = {{"time", tears[0].time},
-                           {elementKind(tears[0], frame), tears[0].element}};
+                           {elementKind(tears[0], frame), tears[0].element},
+                           {loadName(tears[0], frame), tears[0].force},
+                           {"over_strength", overStrength(frame, compiled)}};
     result["front"] = Json::array();
     for (const TearReport::Front& front : report.front)
         result["front"].push_back({{"time", front.time}, {"distance", front.distance}});
@@ -405,6 +417,11 @@ void printRunTable(const Json& result, const Layout& layout)
                        shortNumber(first["time"]) + " s, " + kind + ' '
                            + std::to_string(first[kind].get<long>())
                            + (first.contains("gust") ? gustWords(first["gust"]) : std::string()));
+        constexpr double worthAWord = 0.02;
+        if (const Json& over = first["over_strength"]; over.is_number() && over > worthAWord)
+            printReportRow("", "it bore " + shortNumber(100.0 * over.get<double>())
+                                   + " % more than it holds, by which the load rose within a time "
+                                     "step: a shorter one tells it closer");
         printReportRow("tears reach", shortNumber(end["distance"])
                                           + " m from there in the design, at "
                                           + shortNumber(end["time"]) + " s");

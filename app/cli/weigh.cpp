@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
+#include "scene/particle_of.h"
 #include "terminal/terminal.h"
 
 #include <iostream>
@@ -16,6 +17,7 @@ struct WeighOptions
 {
     SceneInput scene;
     std::string output;
+    bool keepsHeavier = false;
 };
 
 double massOf(const Scene& scene) // kg
@@ -28,6 +30,38 @@ double massOf(const Scene& scene) // kg
     return sum;
 }
 
+void keepHeavier(const Scene& scene, SetValues& masses)
+{
+    SetValues kept{masses.property, {}, {}};
+    for (std::size_t i = 0; i < masses.targets.size(); ++i)
+        if (std::get<double>(masses.values[i]) >= particleOf(scene, masses.targets[i])->mass) {
+            kept.targets.push_back(masses.targets[i]);
+            kept.values.push_back(masses.values[i]);
+        }
+    masses = std::move(kept);
+}
+
+// A mass that is many times what the materials say is of something else, such as a payload.
+void warnOfLost(const Scene& scene, const SetValues& masses)
+{
+    constexpr double many = 5.0;
+    double most = 0.0; // kg
+    std::size_t loser = 0;
+    for (std::size_t i = 0; i < masses.targets.size(); ++i) {
+        const double before = particleOf(scene, masses.targets[i])->mass;
+        const double now = std::get<double>(masses.values[i]);
+        if (before > many * now && before - now > most) {
+            most = before - now;
+            loser = i;
+        }
+    }
+    if (most > 0.0)
+        warn("particle " + std::to_string(std::uint32_t(masses.targets[loser])) + " had "
+             + shortNumber(most + std::get<double>(masses.values[loser]))
+             + " kg, and its materials say " + shortNumber(std::get<double>(masses.values[loser]))
+             + " kg: what it carried beside them is gone. --keep-heavier keeps such masses.");
+}
+
 int weigh(const WeighOptions& options)
 {
     SceneOutcome loaded = loadScene(options.scene);
@@ -35,12 +69,16 @@ int weigh(const WeighOptions& options)
         return loaded.exitCode;
     Scene& scene = *loaded.scene;
     const double before = massOf(scene);
-    const Edit edit = weighing(scene);
+    Edit edit = weighing(scene);
     if (edit.changes.empty())
         return fail(BadInput, options.scene.file
                                   + ": no panel or link is made of a material of known density; "
                                     "set arealDensity or linearDensity of a material with --set.");
-    const std::size_t count = std::get<SetValues>(edit.changes.front()).targets.size();
+    SetValues& masses = std::get<SetValues>(edit.changes.front());
+    if (options.keepsHeavier)
+        keepHeavier(scene, masses);
+    warnOfLost(scene, masses);
+    const std::size_t count = masses.targets.size();
     (void)apply(scene, edit);
     if (const auto failure = saveReadable(scene, options.output))
         return fail(BadInput, failure->message);
@@ -60,6 +98,9 @@ void addWeigh(CLI::App& app, Command& chosen)
     command->add_option("-o,--output", options->output, "Scene file to write")
         ->type_name("SCENE")
         ->required();
+    command->add_flag("--keep-heavier", options->keepsHeavier,
+                      "Particles that weigh more than their materials say keep their mass, as of a "
+                      "payload");
     addSetOption(*command, options->scene.assignments);
     command->footer(
         "Panels give a third of their mass to each corner, links half of theirs to each end; what "

@@ -41,7 +41,7 @@ std::vector<double> ProbeReader::read(Readings& readings)
     return values;
 }
 
-std::vector<double> ProbeReader::highest(std::vector<double> values, const ProbePeaks& peaks) const
+std::vector<double> ProbeReader::highest(std::vector<double> values, const ProbePeaks& peaks)
 {
     if (peaks.isEmpty())
         return {};
@@ -50,7 +50,7 @@ std::vector<double> ProbeReader::highest(std::vector<double> values, const Probe
     return values;
 }
 
-void ProbeReader::followFormulas(std::vector<double>& values) const
+void ProbeReader::followFormulas(std::vector<double>& values)
 {
     for (std::size_t i = 0; i < m_formulas.size(); ++i)
         if (m_formulas[i])

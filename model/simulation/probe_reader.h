@@ -21,11 +21,11 @@ public:
 
     // What was higher within the step that has led there; empty where nothing was.
     //   values  that were read last
-    std::vector<double> highest(std::vector<double> values, const ProbePeaks& peaks) const;
+    std::vector<double> highest(std::vector<double> values, const ProbePeaks& peaks);
 
 private:
     void prepare(const std::vector<ProbeSpec>& probes);
-    void followFormulas(std::vector<double>& values) const;
+    void followFormulas(std::vector<double>& values);
 
     struct Known
     {

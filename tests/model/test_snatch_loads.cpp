@@ -129,8 +129,8 @@ private slots:
     void probesFeelTheSnatch()
     {
         Scene scene = rope(110.0, 1.0); // of one link, which its probe reads
-        addProbe(scene, "twice", Quantity::Formula);
-        firstWith<Probe>(scene, "twice").formula = "2*tension";
+        const Id formula = addProbe(scene, "twice", Quantity::Formula);
+        std::get<Probe>(*findItem(scene, formula)).formula = "2*tension";
         Simulation simulation(*compile(scene));
         const std::size_t probe = tensionProbe(simulation);
         double most = 0.0;
@@ -153,8 +153,8 @@ private slots:
         QCOMPARE(fly(scene, {}, plan)->measured.front(), most);
     }
 
-    // The mean of what it reads is of instants alone: what a line pulls with over a second, less
-    // the part of the weight that is along it, is what turns the momentum of what swings.
+    // What a probe reads at an instant stays that of the instant, so that a mean over many is as it
+    // should be; there is more within the steps of the blow alone.
     void instantsAreAsTheyWere()
     {
         Simulation simulation(*compile(rope(110.0, 1.0)));
@@ -193,6 +193,7 @@ private slots:
         Material& cord = firstOf<Material>(scene);
         const double strength = 0.5 * largestPull(scene);
         cord.lineStrength = strength;
+        const double bears = strength * cord.jointEfficiency.value_or(1.0);
         addProbe(scene, "margin", Quantity::Margin);
         addProbe(scene, "all", Quantity::MaxTension);
         Simulation simulation(*compile(scene));
@@ -205,7 +206,6 @@ private slots:
             margin = sample.most()[sample.probe.size() - 2];
         }
         QVERIFY(pull >= simulation.state().tears[0].force);
-        const double bears = strength * cord.jointEfficiency.value_or(1.0);
         QVERIFY2(std::abs(margin * bears - pull) < 1e-9 * pull,
                  qPrintable(QString::number(margin)));
         QVERIFY(margin >= 1.0);
