@@ -419,7 +419,8 @@ void printRunTable(const Json& result, const Layout& layout)
                            + (first.contains("gust") ? gustWords(first["gust"]) : std::string()));
         constexpr double worthAWord = 0.02;
         if (const Json& over = first["over_strength"]; over.is_number() && over > worthAWord)
-            printReportRow("", "it bore " + shortNumber(100.0 * over.get<double>())
+            printReportRow("", "it bore "
+                                   + Message::number("%.2g", 100.0 * over.get<double>()).english()
                                    + " % more than it holds, by which the load rose within a time "
                                      "step: a shorter one tells it closer");
         printReportRow("tears reach", shortNumber(end["distance"])

@@ -41,25 +41,31 @@ void keepHeavier(const Scene& scene, SetValues& masses)
     masses = std::move(kept);
 }
 
-// A mass that is many times what the materials say is of something else, such as a payload.
+// What weighs more than twice what its materials say carries something else, such as a payload.
 void warnOfLost(const Scene& scene, const SetValues& masses)
 {
-    constexpr double many = 5.0;
-    double most = 0.0; // kg
-    std::size_t loser = 0;
+    double lost = 0.0; // kg, of all
+    double most = 0.0; // kg, of one
+    std::size_t count = 0;
+    Id heaviest = noId;
     for (std::size_t i = 0; i < masses.targets.size(); ++i) {
         const double before = particleOf(scene, masses.targets[i])->mass;
-        const double now = std::get<double>(masses.values[i]);
-        if (before > many * now && before - now > most) {
-            most = before - now;
-            loser = i;
+        const double less = before - std::get<double>(masses.values[i]);
+        if (less <= 0.5 * before)
+            continue;
+        ++count;
+        lost += less;
+        if (less > most) {
+            most = less;
+            heaviest = masses.targets[i];
         }
     }
-    if (most > 0.0)
-        warn("particle " + std::to_string(std::uint32_t(masses.targets[loser])) + " had "
-             + shortNumber(most + std::get<double>(masses.values[loser]))
-             + " kg, and its materials say " + shortNumber(std::get<double>(masses.values[loser]))
-             + " kg: what it carried beside them is gone. --keep-heavier keeps such masses.");
+    if (count > 0)
+        warn(shortNumber(lost) + " kg of what " + std::to_string(count)
+             + (count == 1 ? " particle" : " particles")
+             + " carried beside cloth and lines is gone, the most, " + shortNumber(most)
+             + " kg, of particle " + std::to_string(std::uint32_t(heaviest))
+             + ": --keep-heavier keeps such masses.");
 }
 
 int weigh(const WeighOptions& options)
