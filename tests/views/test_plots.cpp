@@ -385,6 +385,27 @@ private slots:
         QVERIFY(!drawnCurve({}, {}, {0.0, 1.0, 800, false}).any);
     }
 
+    // What was higher within a step is drawn in place of what it ended with, also where a frame
+    // says it once more.
+    void peaksWithinAStepAreDrawn()
+    {
+        const auto layout = std::make_shared<Layout>();
+        layout->probes = {{7, "pull", "N", true}};
+        History history;
+        history.add(ProbeSample{1, layout, 0.1, {2.0}});
+        history.add(ProbeSample{1, layout, 0.2, {3.0}, {9.0}});
+        Frame frame;
+        frame.run = 1;
+        frame.layout = layout;
+        frame.time = 0.3;
+        frame.probe = {4.0};
+        history.add(frame);
+        frame.time = 0.4;
+        frame.highest = {8.0};
+        history.add(frame);
+        QVERIFY(std::ranges::equal(history.valuesOf(7), std::array{2.0, 9.0, 4.0, 8.0}));
+    }
+
     // 60 curves over ten minutes, 60 samples a second: all samples are kept, and a picture is made
     // of no more points than it has columns. The figures go into the log.
     void sixtyCurvesOfTenMinutes()
