@@ -257,7 +257,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const RunOptions& o
     Json result = runReport(simulation, wallSeconds);
     result["landings"] = landingsOf(files.landings(), scene);
     tellOpening(scene, result);
-    tellGusts(scene, result);
+    tellWinds(scene, result);
     if (!options.loads.empty())
         tellUnjudged(namesWithoutStrength(scene), result);
     if (settler)

@@ -331,15 +331,27 @@ void tellOpening(const Scene& scene, Json& result)
         result["loads"]["opening_safety_factor"] = openingSafetyFactor;
 }
 
-void tellGusts(const Scene& scene, Json& result)
+// What of a wind a run does not see, or goes on without; empty where there is nothing to say.
+std::string missedOf(const Wind& wind, double end)
 {
-    const double end = result["time"];
+    if (wind.kind == WindKind::DiscreteGust && wind.onset >= end)
+        return "blows its first gust at " + shortNumber(wind.onset)
+               + " s, after the end of the run at " + shortNumber(end)
+               + " s: take more seconds, or an earlier onset.";
+    const bool isMeasured = wind.kind == WindKind::Measured && wind.velocities.size() > 1;
+    if (isMeasured && wind.velocities.back()[0] < end)
+        return "was measured until " + shortNumber(wind.velocities.back()[0])
+               + " s, and the run goes on to " + shortNumber(end)
+               + " s: from there it blows as it did then.";
+    return {};
+}
+
+void tellWinds(const Scene& scene, Json& result)
+{
     for (const Entry& entry : scene.items)
-        if (const Wind* wind = std::get_if<Wind>(&entry.item);
-            wind && wind->kind == WindKind::DiscreteGust && wind->onset >= end)
-            std::cerr << "ripstop-cli: warning: Wind " << wind->name << " blows its first gust at "
-                      << shortNumber(wind->onset) << " s, after the end of the run at "
-                      << shortNumber(end) << " s: take more seconds, or an earlier onset.\n";
+        if (const Wind* wind = std::get_if<Wind>(&entry.item))
+            if (const std::string missed = missedOf(*wind, result["time"]); !missed.empty())
+                warn("Wind " + wind->name + ' ' + missed);
     Json& first = result["tear_report"]["first"];
     if (first.is_null())
         return;

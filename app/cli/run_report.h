@@ -21,8 +21,8 @@ Json namesWithoutStrength(const Scene& scene);
 void tellUnjudged(Json names, Json& result);
 
 // Puts into the report in which discrete gust the first tear was, and says it of one that begins
-// after the end of the run.
-void tellGusts(const Scene& scene, Json& result);
+// after the end of the run and of a measured wind that ends before.
+void tellWinds(const Scene& scene, Json& result);
 
 // Puts into the loads which safety factor makes up for opening loads that are too low, if any are.
 void tellOpening(const Scene& scene, Json& result);

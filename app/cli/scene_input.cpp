@@ -6,6 +6,8 @@
 #include "check/unknown.h"
 #include "io/json_text.h"
 #include "io/scene_file.h"
+#include "io/wind_record.h"
+#include "scene/path.h"
 #include "scene/typed_number.h"
 #include "simulation/simulation.h"
 #include "study/point_scene.h"
@@ -76,11 +78,27 @@ void addSetOption(CLI::App& command, std::vector<std::string>& assignments)
     command
         .add_option("--set", assignments,
                     "Change a property for this call: settings.timeStep=0.002, "
-                    "\"wind.velocity=6, 0, 0\", wind.velocity.x=6, kite.particles.mass=0.01, "
-                    "\"#17.mass=0.5\", or build its part again: kite.built.span=2; "
+                    "\"wind.velocity=6, 0, 0\", wind.velocity.x=6, wind.velocities=@measured.csv, "
+                    "kite.particles.mass=0.01, \"#17.mass=0.5\", or build its part again: "
+                    "kite.built.span=2; "
                     "may be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
+}
+
+// "wind.velocities=@FILE" with what the file holds; what is no table of times stays as it is.
+Result<std::string> withFile(const Scene& scene, const std::string& assignment)
+{
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || assignment.compare(equals + 1, 1, "@") != 0)
+        return assignment;
+    const Result<Place> place = findPlace(scene, assignment.substr(0, equals));
+    if (!place || place->property->meaning != Meaning::Times)
+        return assignment;
+    const Result<NumberRows> rows = windRecordOf(assignment.substr(equals + 2));
+    if (!rows)
+        return rows.failure();
+    return assignment.substr(0, equals + 1) + textFromValue(*rows);
 }
 
 std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assignments)
@@ -92,7 +110,14 @@ std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assi
         return Failure("--set %1: controls are no property; run and sweep take the file with "
                        "--controls.",
                        *controls);
-    auto made = sceneWith(scene, assignments);
+    std::vector<std::string> read;
+    for (const std::string& assignment : assignments) {
+        Result<std::string> text = withFile(scene, assignment);
+        if (!text)
+            return Failure("--set %1", text.message());
+        read.push_back(std::move(*text));
+    }
+    auto made = sceneWith(scene, read);
     if (!made)
         return Failure("--set %1", made.message());
     scene = std::move(*made);

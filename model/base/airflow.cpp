@@ -47,6 +47,7 @@ Vec3 velocityAt(const Airflow& flow, const Vec3& place)
         return jetAt(flow, place);
     case WindKind::Gusts:
     case WindKind::DiscreteGust:
+    case WindKind::Measured:
         break;
     }
     return Vec3::Zero();

@@ -1,15 +1,15 @@
-// What winds blow: the same everywhere, by a profile over height, in turbulence, from a nozzle, or
-// as single gusts of a known size. The formulas stand in base/airflow.h, forces/gusts.h and
-// forces/discrete_gust.h.
+// What winds blow: the same everywhere, by a profile over height, in turbulence, from a nozzle, as
+// single gusts of a known size, or as somebody has measured it. The formulas stand in
+// base/airflow.h, forces/gusts.h, forces/discrete_gust.h and system/wind_record.h.
 #pragma once
 
 #include "base/choice_names.h"
 
 namespace ripstop {
 
-enum class WindKind { Uniform, PowerLaw, LogLaw, Gusts, Jet, DiscreteGust };
+enum class WindKind { Uniform, PowerLaw, LogLaw, Gusts, Jet, DiscreteGust, Measured };
 template <>
-inline constexpr std::array<std::string_view, 6> choiceNames<WindKind>{
-    "uniform", "power_law", "log_law", "gusts", "jet", "discrete_gust"};
+inline constexpr std::array<std::string_view, 7> choiceNames<WindKind>{
+    "uniform", "power_law", "log_law", "gusts", "jet", "discrete_gust", "measured"};
 
 } // namespace ripstop

@@ -286,6 +286,16 @@ private:
                 id);
     }
 
+    static double fastest(const Wind& wind) // m/s
+    {
+        if (wind.kind != WindKind::Measured)
+            return wind.velocity.norm();
+        double most = 0.0;
+        for (const std::vector<double>& row : wind.velocities)
+            most = std::max(most, Vec3(row[1], row[2], row[3]).norm());
+        return most;
+    }
+
     void checkWind(const Wind& wind, Id id)
     {
         if (wind.kind == WindKind::LogLaw && !(wind.roughness < wind.referenceHeight))
@@ -294,7 +304,13 @@ private:
                 id);
         if (wind.kind == WindKind::DiscreteGust)
             checkGust(wind, id);
-        const double speed = wind.velocity.norm(), limit = m_scene.settings.speedLimit;
+        if (wind.kind == WindKind::Measured && wind.velocities.size() < 2)
+            add("wind-record", Severity::Warning,
+                Message("Wind %1 has one row of velocities, and blows by it all the time: read a "
+                        "table of more.",
+                        wind.name),
+                id);
+        const double speed = fastest(wind), limit = m_scene.settings.speedLimit;
         if (speed > limit)
             add("storm", Severity::Warning,
                 Message("Wind %1 blows with %2 m/s, and a run stops where something goes faster "

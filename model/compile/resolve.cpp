@@ -342,12 +342,22 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFa
     takeTear(material, stuff, factors, rod.tear);
 }
 
+WindRecord recordOf(const NumberRows& rows, const Vec3& mean)
+{
+    WindRecord record;
+    for (const std::vector<double>& row : rows)
+        record.samples.push_back({row[0], Vec3(row[1], row[2], row[3]) - mean});
+    return record;
+}
+
 Winds windsOf(const Scene& scene)
 {
     Winds winds;
     forEachItem<Wind>(scene, [&](Id id, const Wind& item) {
-        if (item.kind == WindKind::Uniform)
-            winds.uniform += item.velocity;
+        if (item.kind == WindKind::Uniform || item.kind == WindKind::Measured)
+            winds.uniform += airflowOf(item).velocity;
+        if (item.kind == WindKind::Measured)
+            winds.records.push_back(recordOf(item.velocities, airflowOf(item).velocity));
         else if (item.kind == WindKind::Gusts)
             winds.gusts.push_back(drydenGusts(Key(id),
                                               meanWindAt(scene, {0.0, item.referenceHeight, 0.0}),
@@ -355,7 +365,7 @@ Winds windsOf(const Scene& scene)
         else if (item.kind == WindKind::DiscreteGust)
             winds.discreteGusts.push_back(
                 {item.velocity, item.onset, item.duration, item.interval, item.growth});
-        else
+        else if (item.kind != WindKind::Uniform)
             winds.airflows.push_back(airflowOf(item));
     });
     return winds;
@@ -367,6 +377,7 @@ void takeWinds(const Winds& winds, System& system)
     system.airflows = winds.airflows;
     system.gusts = winds.gusts;
     system.discreteGusts = winds.discreteGusts;
+    system.windRecords = winds.records;
 }
 
 std::vector<Obstacle> obstaclesOf(const Scene& scene)

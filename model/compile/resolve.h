@@ -47,10 +47,11 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFa
 
 struct Winds
 {
-    Vec3 uniform = Vec3::Zero();   // m/s
+    Vec3 uniform = Vec3::Zero();   // m/s, with the means of those that were measured
     std::vector<Airflow> airflows; // those that depend on the place
     std::vector<GustSpec> gusts;
     std::vector<DiscreteGust> discreteGusts;
+    std::vector<WindRecord> records;
 };
 Winds windsOf(const Scene& scene);
 void takeWinds(const Winds& winds, System& system);

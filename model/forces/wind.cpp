@@ -12,6 +12,8 @@ Vec3 commonWind(const System& system, const State& state)
         wind += velocityOf(system.gusts[i], state.gusts[i]);
     for (const DiscreteGust& gust : system.discreteGusts)
         wind += velocityOf(gust, state.time);
+    for (const WindRecord& record : system.windRecords)
+        wind += velocityOf(record, state.time);
     return wind;
 }
 

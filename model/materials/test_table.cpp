@@ -1,22 +1,13 @@
-// Reading of the table of a test. The first line that is no remark says what separates cells; when
-// its cells are no numbers it is the header. Then each row gives two numbers, and every complaint
-// names the line as an editor counts them.
+// Reading of the table of a test: the header says which columns are meant, then each row gives two
+// numbers, and every complaint names the line.
+#include "base/number_table.h"
 #include "materials/material_test.h"
 #include "scene/units.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace ripstop {
 namespace {
-
-struct Line
-{
-    int number; // from 1
-    std::vector<std::string> cells;
-};
 
 // Where the two columns are, and SI units in one of theirs.
 struct Columns
@@ -27,104 +18,6 @@ struct Columns
     double forceFactor = 1.0;
     double elongationFactor = 1.0; // to TestPoint
 };
-
-std::string trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(" \t\r\"");
-    if (first == std::string_view::npos)
-        return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1));
-}
-
-std::optional<double> numberIn(const std::string& cell)
-{
-    const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
-    const char* end = cell.data() + cell.size();
-    double value = 0.0;
-    const auto [last, error] = std::from_chars(begin, end, value);
-    if (error != std::errc() || last != end || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
-bool isDecimalComma(const std::string& cell)
-{
-    std::string point = cell;
-    const auto comma = point.find(',');
-    if (comma == std::string::npos)
-        return false;
-    point[comma] = '.';
-    return numberIn(point).has_value();
-}
-
-std::vector<std::string> cellsOf(std::string_view line, char separator)
-{
-    std::vector<std::string> cells;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(separator, begin), line.size());
-        cells.push_back(trimmed(line.substr(begin, end - begin)));
-        begin = end + 1;
-    }
-    return cells;
-}
-
-std::vector<Line> linesOf(std::string_view text)
-{
-    std::vector<Line> lines;
-    if (text.starts_with("\xef\xbb\xbf")) // as spreadsheets write it
-        text.remove_prefix(3);
-    char separator = '\0';
-    int number = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = text.substr(begin, end - begin);
-        begin = end + 1;
-        ++number;
-        if (trimmed(line).empty() || line.starts_with('#'))
-            continue;
-        if (separator == '\0')
-            separator = line.find('\t') != std::string_view::npos  ? '\t'
-                        : line.find(';') != std::string_view::npos ? ';'
-                                                                   : ',';
-        lines.push_back({number, cellsOf(line, separator)});
-    }
-    return lines;
-}
-
-// Who writes decimals with a comma parts cells by semicolons or tabs, and writes all decimals so:
-// beside a decimal point a comma may part thousands, and nobody knows.
-void takeDecimalCommas(std::vector<Line>& lines)
-{
-    const auto hasAny = [&](auto isOne) {
-        return std::ranges::any_of(
-            lines, [&](const Line& line) { return std::ranges::any_of(line.cells, isOne); });
-    };
-    const auto hasPoint = [](const std::string& cell) {
-        return numberIn(cell) && cell.find('.') != std::string::npos;
-    };
-    if (hasAny(hasPoint) || !hasAny(isDecimalComma))
-        return;
-    for (Line& line : lines)
-        for (std::string& cell : line.cells)
-            if (isDecimalComma(cell))
-                cell[cell.find(',')] = '.';
-}
-
-// "Force (N)" is "force" and "N".
-std::pair<std::string, std::string> nameAndUnit(std::string cell)
-{
-    std::string unit;
-    const auto open = cell.find_first_of("([");
-    if (open != std::string::npos) {
-        const auto close = cell.find_first_of(")]", open);
-        unit =
-            trimmed(cell.substr(open + 1, close == std::string::npos ? close : close - open - 1));
-        cell = trimmed(cell.substr(0, open));
-    }
-    std::ranges::transform(cell, cell.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return {cell, unit};
-}
 
 bool isOneOfWords(const std::string& word, std::initializer_list<std::string_view> words)
 {
@@ -144,7 +37,7 @@ bool isElongation(const std::string& word)
                                "strain", "travel", "x"});
 }
 
-std::optional<Failure> findColumns(const Line& header, std::string_view name, TestUnits& units,
+std::optional<Failure> findColumns(const TableLine& header, std::string_view name, TestUnits& units,
                                    Columns& columns)
 {
     std::optional<std::size_t> force, elongation;
@@ -201,18 +94,6 @@ std::optional<Failure> findUnits(std::string_view name, const TestUnits& units,
     return std::nullopt;
 }
 
-Result<double> numberAt(const Line& line, std::size_t column, std::string_view name)
-{
-    const std::string& cell = line.cells[column];
-    if (const auto number = numberIn(cell))
-        return *number;
-    if (isDecimalComma(cell))
-        return Failure("%1, line %2: %3 has a decimal comma, and other cells have a decimal point; "
-                       "write all decimals alike.",
-                       name, line.number, cell);
-    return Failure("%1, line %2: \"%3\" is no number.", name, line.number, cell);
-}
-
 } // namespace
 
 Result<MaterialTest> readMaterialTest(std::string_view text, std::string_view name,
@@ -221,16 +102,12 @@ Result<MaterialTest> readMaterialTest(std::string_view text, std::string_view na
     if (!(size.length > 0.0) || (size.specimen == Specimen::Strip && !(size.width > 0.0)))
         return Failure("The size of the specimen must be told: its length, and of a strip its "
                        "width, above 0.");
-    std::vector<Line> lines = linesOf(text);
+    std::vector<TableLine> lines = tableLines(text);
     if (lines.empty())
         return Failure("%1 has no rows.", name);
-    takeDecimalCommas(lines);
     Columns columns;
     TestUnits units = given;
-    const bool hasHeader = std::ranges::none_of(lines.front().cells, [](const std::string& cell) {
-        return numberIn(cell) || isDecimalComma(cell);
-    });
-    if (hasHeader) {
+    if (isHeader(lines.front())) {
         if (const auto failure = findColumns(lines.front(), name, units, columns))
             return *failure;
         lines.erase(lines.begin());
@@ -243,7 +120,7 @@ Result<MaterialTest> readMaterialTest(std::string_view text, std::string_view na
         return *failure;
     MaterialTest test;
     std::vector<TestPoint>& points = test.points;
-    for (const Line& line : lines) {
+    for (const TableLine& line : lines) {
         if (line.cells.size() != columns.count)
             return Failure("%1, line %2: It has %3 cells instead of %4; decimals are written with "
                            "a point.",

@@ -216,6 +216,7 @@ struct Wind
     double duration = 3.0;        // s
     double interval = 0.0;        // s, from one discrete gust to the next; 0 has one only
     double growth = 0.0;          // 1, of the first, that each is stronger than the one before
+    NumberRows velocities = {{0.0, 0.0, 0.0, 0.0}}; // s, m/s along x, y, z; of a measured wind
 
     friend bool operator==(const Wind&, const Wind&) = default;
 };

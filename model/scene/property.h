@@ -134,7 +134,8 @@ enum class Meaning {
     File,  // its name, beside the scene file
     Keys,  // a key sequence as Qt writes it
     Notes, // a text of many lines
-    Polar  // rows of angles that rise from 0 to 90 degrees, lift and drag
+    Polar, // rows of angles that rise from 0 to 90 degrees, lift and drag
+    Times  // rows of times that rise, s, and what is then
 };
 
 // What a change of a property touches beside its number, and what its value is worth.

@@ -123,13 +123,14 @@ constexpr Need wind(const char* otherwise)
 {
     return need([](const Wind& w, const Around&) { return ((w.kind == kinds) || ...); }, otherwise);
 }
-inline constexpr Need isNoGust = need([](const Wind& w, const Around&) { return w.kind != WindKind::Gusts; }, "gusts after Dryden have none of their own");
+inline constexpr Need hasVelocity = need([](const Wind& w, const Around&) { return w.kind != WindKind::Gusts && w.kind != WindKind::Measured; }, "gusts after Dryden and measured winds have none of their own");
 inline constexpr Need hasHeight = wind<WindKind::PowerLaw, WindKind::LogLaw, WindKind::Gusts>("this wind does not depend on the height");
 inline constexpr Need isPowerLaw = wind<WindKind::PowerLaw>("only the power law has one");
 inline constexpr Need isLogLaw = wind<WindKind::LogLaw>("only the logarithmic law has one");
 inline constexpr Need isGusts = wind<WindKind::Gusts>("only gusts after Dryden have it");
 inline constexpr Need isDiscreteGust = wind<WindKind::DiscreteGust>("only a discrete gust has it");
 inline constexpr Need isRepeated = need([](const Wind& w, const Around&) { return w.kind == WindKind::DiscreteGust && w.interval > 0.0; }, "only a discrete gust that comes again has it");
+inline constexpr Need isMeasured = wind<WindKind::Measured>("only a measured wind has them");
 inline constexpr Need isJet = wind<WindKind::Jet>("only jets have it");
 
 // colliders: the table of shapes (shapes/solid.h) knows which shape has what

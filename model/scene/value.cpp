@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace ripstop {
 namespace {
@@ -111,13 +112,18 @@ std::optional<Message> refusalOfRows(const Property& property, const NumberRows&
 {
     if (table.empty())
         return Message("needs a row");
-    double last = -1.0;
+    double last = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < table.size(); ++i) {
         const std::vector<double>& row = table[i];
         if (row.size() != std::size_t(property.columns))
             return Message("must have %1 numbers in each row (row %2)", property.columns, i + 1);
         if (!std::ranges::all_of(row, [](double value) { return std::isfinite(value); }))
             return Message("must be finite numbers (row %1)", i + 1);
+        if (property.meaning == Meaning::Times) {
+            if (row[0] <= last)
+                return Message("must have times that rise from row to row (row %1)", i + 1);
+            last = row[0];
+        }
         if (property.meaning != Meaning::Polar)
             continue;
         if (row[0] < 0.0 || row[0] > 90.0 || row[0] <= last)

@@ -7,6 +7,8 @@ namespace ripstop {
 
 Airflow airflowOf(const Wind& wind)
 {
+    if (wind.kind == WindKind::Measured)
+        return {WindKind::Uniform, meanVelocity(wind.velocities)};
     return {wind.kind,
             wind.velocity,
             wind.referenceHeight,
@@ -15,6 +17,16 @@ Airflow airflowOf(const Wind& wind)
             wind.position,
             wind.radius,
             std::tan(wind.spread * std::numbers::pi / 180.0)};
+}
+
+Vec3 meanVelocity(const NumberRows& rows)
+{
+    const auto at = [](const std::vector<double>& row) { return Vec3(row[1], row[2], row[3]); };
+    Vec3 way = Vec3::Zero(); // m
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        way += 0.5 * (rows[i][0] - rows[i - 1][0]) * (at(rows[i - 1]) + at(rows[i]));
+    const double time = rows.back()[0] - rows.front()[0];
+    return time > 0.0 ? Vec3(way / time) : at(rows.front());
 }
 
 Vec3 meanWindAt(const Scene& scene, const Vec3& place)

@@ -8,7 +8,12 @@
 
 namespace ripstop {
 
+// Of a measured wind its mean, which is the same everywhere.
 Airflow airflowOf(const Wind& wind);
+
+// m/s, over the time of the record; of a record of one row that one.
+//   rows  s, m/s along x, y, z, as Wind::velocities has them
+Vec3 meanVelocity(const NumberRows& rows);
 
 // m/s at a place, m: the sum of all winds of the scene but gusts, which depend on time.
 Vec3 meanWindAt(const Scene& scene, const Vec3& place);

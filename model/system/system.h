@@ -22,6 +22,7 @@
 #include "system/obstacle.h"
 #include "system/panels.h"
 #include "system/state.h"
+#include "system/wind_record.h"
 
 #include <array>
 #include <cstdint>
@@ -95,6 +96,7 @@ struct System
     std::vector<Airflow> airflows;           // winds that depend on the place
     std::vector<GustSpec> gusts;
     std::vector<DiscreteGust> discreteGusts;
+    std::vector<WindRecord> windRecords;
     double viscosity = 0.0;     // 1/s
     double speedLimit = 1000.0; // m/s
     double safetyFactor = 1.0;  // 1, of margins

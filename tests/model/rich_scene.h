@@ -58,6 +58,9 @@ inline Scene rich(Integrator integrator = Integrator::Auto)
     Wind gust{"gust", {4.0, 0.0, 0.0}, WindKind::DiscreteGust};
     gust.onset = 0.0;
     addItem(scene, gust);
+    Wind measured{"measured", Vec3::Zero(), WindKind::Measured};
+    measured.velocities = {{0.0, 1.0, 0.0, 0.5}, {2.0, 1.5, 0.1, 0.0}, {2.5, 0.5, 0.0, 0.0}};
+    addItem(scene, measured);
     Wind shear{"shear", {2.0, 0.0, 0.0}};
     shear.kind = WindKind::LogLaw;
     addItem(scene, shear);

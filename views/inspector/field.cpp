@@ -12,10 +12,12 @@
 #include "icons/icon.h"
 #include "icons/swatch.h"
 #include "inspector/value_edit.h"
+#include "io/wind_record.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeySequence>
 #include <QPlainTextEdit>
@@ -100,6 +102,7 @@ Field makeField(const FieldPlace& place)
     case Meaning::Path:
     case Meaning::Keys:
     case Meaning::Polar:
+    case Meaning::Times:
         break;
     }
     return textField(place);
@@ -167,6 +170,31 @@ Field textField(const FieldPlace& place)
             }};
 }
 
+// Beside rows of times a button that reads a measured wind.
+Field withRecordButton(const FieldPlace& place, Field field)
+{
+    auto* button = new QToolButton;
+    button->setAutoRaise(true);
+    button->setIcon(icon(QStringLiteral("open")));
+    button->setToolTip(words("Read a measured wind from a table: time and speed, with a direction, "
+                             "or with three components."));
+    button->setAccessibleName(words("Read a measured wind"));
+    QObject::connect(button, &QToolButton::clicked, button, [place, button] {
+        const QString folder = QString::fromStdString(place.subject.document().scene().folder.path);
+        const QString file =
+            QFileDialog::getOpenFileName(button->window(), words("Read a measured wind"), folder,
+                                         words("Tables (*.csv *.tsv *.txt);;All files (*)"));
+        if (file.isEmpty())
+            return;
+        const Result<NumberRows> rows = windRecordOf(file.toStdString());
+        place.complain(rows ? QString() : translated(rows.message()));
+        if (rows)
+            place.subject.edit(place.property, setTo(*rows));
+    });
+    field.widget = sideBySide(field.widget, button);
+    return field;
+}
+
 Field rowsField(const FieldPlace& place)
 {
     auto* edit = new ValueEdit([place](const QString& text) -> QString {
@@ -181,11 +209,20 @@ Field rowsField(const FieldPlace& place)
         if (const auto value = valueFromText(place.property, text.toStdString()))
             place.subject.edit(place.property, setTo(*value));
     });
-    return {edit, {edit}, [edit](const Common& common) {
-                const bool mixed = common.mixed[0];
-                edit->show(mixed ? QString() : QString::fromStdString(textFromValue(common.value)),
-                           mixed ? mixedText() : QString());
-            }};
+    Field field{edit, {edit}, [edit](const Common& common) {
+                    constexpr std::size_t most = 40; // rows that one reads in a line
+                    const auto* rows = std::get_if<NumberRows>(&common.value);
+                    const bool isLong = rows && rows->size() > most;
+                    const bool mixed = common.mixed[0];
+                    edit->show(mixed || isLong
+                                   ? QString()
+                                   : QString::fromStdString(textFromValue(common.value)),
+                               mixed    ? mixedText()
+                               : isLong ? words("%1 rows").arg(rows->size())
+                                        : QString());
+                }};
+    return place.property.meaning == Meaning::Times ? withRecordButton(place, std::move(field))
+                                                    : field;
 }
 
 Field notesField(const FieldPlace& place)

@@ -4,6 +4,7 @@
 
 #include "document/spoken.h"
 #include "document/words.h"
+#include "scene/wind.h"
 #include "select/rows_among.h"
 
 #include <QLocale>
@@ -54,7 +55,7 @@ struct Writer
     {
         if (wind.kind == WindKind::Gusts)
             return turbulence(wind.gustiness);
-        return spokenText(wind.velocity.norm(), "m/s", 3);
+        return spokenText(airflowOf(wind).velocity.norm(), "m/s", 3);
     }
     QString operator()(const Control& control) const
     {
