@@ -8,9 +8,7 @@
 #include "derived/formula.h"
 #include "derived/link_stiffness.h"
 #include "derived/tear_bounds.h"
-#include "forces/gusts.h"
 #include "scene/collider_path.h"
-#include "scene/wind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -340,44 +338,6 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, const LinkFa
             / factors.stiffness;
     rod.dampingTime = material.dampingTime;
     takeTear(material, stuff, factors, rod.tear);
-}
-
-WindRecord recordOf(const NumberRows& rows, const Vec3& mean)
-{
-    WindRecord record;
-    for (const std::vector<double>& row : rows)
-        record.samples.push_back({row[0], Vec3(row[1], row[2], row[3]) - mean});
-    return record;
-}
-
-Winds windsOf(const Scene& scene)
-{
-    Winds winds;
-    forEachItem<Wind>(scene, [&](Id id, const Wind& item) {
-        if (item.kind == WindKind::Uniform || item.kind == WindKind::Measured)
-            winds.uniform += airflowOf(item).velocity;
-        if (item.kind == WindKind::Measured)
-            winds.records.push_back(recordOf(item.velocities, airflowOf(item).velocity));
-        else if (item.kind == WindKind::Gusts)
-            winds.gusts.push_back(drydenGusts(Key(id),
-                                              meanWindAt(scene, {0.0, item.referenceHeight, 0.0}),
-                                              item.referenceHeight, item.gustiness, item.seed));
-        else if (item.kind == WindKind::DiscreteGust)
-            winds.discreteGusts.push_back(
-                {item.velocity, item.onset, item.duration, item.interval, item.growth});
-        else if (item.kind != WindKind::Uniform)
-            winds.airflows.push_back(airflowOf(item));
-    });
-    return winds;
-}
-
-void takeWinds(const Winds& winds, System& system)
-{
-    system.wind = winds.uniform;
-    system.airflows = winds.airflows;
-    system.gusts = winds.gusts;
-    system.discreteGusts = winds.discreteGusts;
-    system.windRecords = winds.records;
 }
 
 std::vector<Obstacle> obstaclesOf(const Scene& scene)

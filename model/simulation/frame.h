@@ -167,10 +167,9 @@ struct ProbeSample
 {
     std::uint64_t run = 0;
     std::shared_ptr<const Layout> layout;
-    double time = 0.0;         // s
-    std::vector<double> probe; // [probes] in the unit of the probe
-    std::vector<double> highest =
-        {}; // [probes] within the step; empty where no higher one is known
+    double time = 0.0;                // s
+    std::vector<double> probe;        // [probes] in the unit of the probe
+    std::vector<double> highest = {}; // the same within the step; empty where none is higher
 
     const std::vector<double>& most() const { return highest.empty() ? probe : highest; }
 };

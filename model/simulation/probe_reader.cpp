@@ -1,6 +1,7 @@
 #include "simulation/probe_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ripstop {
 
@@ -41,13 +42,16 @@ std::vector<double> ProbeReader::read(Readings& readings)
     return values;
 }
 
-std::vector<double> ProbeReader::highest(std::vector<double> values, const ProbePeaks& peaks)
+std::vector<double> ProbeReader::highest(const std::vector<double>& values, const ProbePeaks& peaks)
 {
     if (peaks.isEmpty())
         return {};
-    peaks.raise(values);
-    followFormulas(values);
-    return values;
+    std::vector<double> highest = values;
+    peaks.raise(highest);
+    followFormulas(highest);
+    for (std::size_t i = 0; i < values.size(); ++i) // a formula may fall with what it is made of
+        highest[i] = std::fmax(highest[i], values[i]);
+    return highest;
 }
 
 void ProbeReader::followFormulas(std::vector<double>& values)

@@ -21,7 +21,7 @@ public:
 
     // What was higher within the step that has led there; empty where nothing was.
     //   values  that were read last
-    std::vector<double> highest(std::vector<double> values, const ProbePeaks& peaks);
+    std::vector<double> highest(const std::vector<double>& values, const ProbePeaks& peaks);
 
 private:
     void prepare(const std::vector<ProbeSpec>& probes);

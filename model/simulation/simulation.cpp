@@ -266,6 +266,7 @@ bool Simulation::Private::step()
         ++accuracy.steps; // of which nothing else is true
         ++accuracy.missed;
         std::swap(run.now, run.lastGood);
+        peaks.forget(); // of a step that has not been
     } else {
         noteAccuracy(system(), stepper, run.now, run.now.tears.size() - tears, damping, accuracy);
         loads.look(system(), run.now, tears);

@@ -131,14 +131,21 @@ private slots:
         Scene scene = rope(110.0, 1.0); // of one link, which its probe reads
         const Id formula = addProbe(scene, "twice", Quantity::Formula);
         std::get<Probe>(*findItem(scene, formula)).formula = "2*tension";
+        const Id falling = addProbe(scene, "falls", Quantity::Formula);
+        std::get<Probe>(*findItem(scene, falling)).formula = "-tension";
         Simulation simulation(*compile(scene));
         const std::size_t probe = tensionProbe(simulation);
         double most = 0.0;
         double twice = 0.0;
+        double least = 0.0;
+        double leastAtEnd = 0.0;
         while (simulation.state().time < 1.0) {
             QVERIFY(simulation.step());
             most = std::max(most, simulation.sample().most()[probe]);
-            twice = std::max(twice, simulation.sample().most().back());
+            const ProbeSample sample = simulation.sample();
+            twice = std::max(twice, sample.most()[probe + 3]);
+            least = std::min(least, sample.most().back());
+            leastAtEnd = std::min(leastAtEnd, sample.probe.back());
         }
         const double load = simulation.frame()->worstOfRun.all()[0].load;
         QVERIFY2(std::abs(most - load) < 1e-9 * load,
@@ -146,6 +153,8 @@ private slots:
         const double truth = largestPull(scene);
         QVERIFY2(std::abs(most - truth) < 0.1 * truth, qPrintable(QString::number(most)));
         QCOMPARE(twice, 2.0 * most);
+        QVERIFY(least < 0.0);
+        QCOMPARE(least, leastAtEnd); // a number that falls with the load has no peak by it
 
         FlightPlan plan;
         plan.seconds = 1.0;
