@@ -4,15 +4,14 @@
 // that is made of it when a name is given.
 #include "cli/commands.h"
 #include "cli/own_library.h"
+#include "io/whole_file.h"
 #include "materials/material_test.h"
 #include "materials/presets.h"
 #include "scene/typed_number.h"
 #include "terminal/terminal.h"
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace ripstop {
 namespace {
@@ -169,11 +168,11 @@ int fitTest(const FitOptions& options)
     const auto range = rangeOf(options, size->specimen);
     if (!range)
         return fail(WrongUsage, range.message());
-    std::ifstream in(options.file, std::ios::binary);
-    std::ostringstream text;
-    if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())))
-        return fail(BadInput, options.file + " cannot be read.");
-    const auto test = readMaterialTest(text.str(), options.file, *size, options.units);
+    const Result<std::string> text =
+        readWholeFile(options.file, [](std::string_view) { return std::nullopt; });
+    if (!text)
+        return fail(BadInput, text.message());
+    const auto test = readMaterialTest(*text, options.file, *size, options.units);
     if (!test)
         return fail(BadInput, test.message());
     if (const auto skipped = skippedText(*test))

@@ -308,9 +308,12 @@ int run(const RunOptions& options)
     if (options.scene.file.empty())
         return fail(WrongUsage, "SCENE is required, or --replay FILE.");
     if (looksLikeBundle(options.scene.file)) {
-        if (options.asksMore)
+        if (options.asksMore) {
+            if (const Result<Bundle> bundle = openBundle(options.scene.file); !bundle)
+                return fail(BadInput, bundle.message()); // such as a folder that is none
             return fail(WrongUsage, "A bundle is flown as it was, with --threads and --json alone; "
                                     "fly its scene.ripstop.json for anything else.");
+        }
         return flyBundle(options.scene.file, options.threads, options.json);
     }
     if (options.printed > 1)

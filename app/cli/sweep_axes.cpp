@@ -72,11 +72,15 @@ Result<SweepAxis> sweepAxis(std::string_view text)
         const auto from = numberOf(ends[0]), step = numberOf(ends[1]), to = numberOf(ends[2]);
         if (!from || !step || !to)
             return wrong(text, Message("a range is FROM:STEP:TO, three numbers."));
-        const double exactly = (*to - *from) / *step;
-        if (!(exactly >= 0.0 && exactly < mostValues))
-            return wrong(text,
-                         Message("the range has no value, or too many; the step must lead from its "
-                                 "start to its end."));
+        const double exactly = *step == 0.0 ? -1.0 : (*to - *from) / *step;
+        if (!(exactly >= 0.0))
+            return wrong(text, Message("the step must lead from the start of the range to its end, "
+                                       "and %1 does not.",
+                                       textOf(*step)));
+        if (exactly >= mostValues)
+            return wrong(text, Message("the range has %1 values, and %2 can be flown at most: take "
+                                       "a larger step.",
+                                       textOf(std::floor(exactly) + 1.0), textOf(mostValues)));
         const double steps = std::rint(exactly);
         constexpr double rounding = 1e-6; // of a step, as in 0:0.3333333:1
         if (std::abs(exactly - steps) > rounding) {

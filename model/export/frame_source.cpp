@@ -20,8 +20,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int stepsBetweenReports = 50;
-
 // Flies a simulation of its own.
 class OwnFlight final : public FrameSource
 {
@@ -76,8 +74,8 @@ double FlownFrames::timeStep() const { return m_simulation.system().timeStep; }
 // Steps like Simulation::runUntil().
 FrameSource::Taken FlownFrames::take(double time, const Reached& reached)
 {
-    for (int i = 0; !hasReached(m_simulation.state().time, time, timeStep()); ++i) {
-        if (i % stepsBetweenReports == 0 && !reached(m_simulation.state().time))
+    while (!hasReached(m_simulation.state().time, time, timeStep())) {
+        if (!reached(m_simulation.state().time)) // at each, as those of a large design take long
             return {};
         m_controls.giveTo(m_simulation);
         if (m_recorder)
@@ -175,8 +173,8 @@ FrameSource::Taken RecordedFrames::computed(std::int64_t step, const Reached& re
             Walk{Simulation(from.system, std::move(from.state), m_threads), std::move(inputs)});
     }
     auto& [simulation, inputs] = *m_walk;
-    for (int i = 0; simulation.state().step < step; ++i) {
-        if (i % stepsBetweenReports == 0 && !reached(simulation.state().time))
+    while (simulation.state().step < step) {
+        if (!reached(simulation.state().time))
             return {};
         if (auto failure = inputs.giveTo(simulation))
             return {simulation.frame(), failure->message};

@@ -127,6 +127,9 @@ Result<ControlTrack> readControlTrack(const std::filesystem::path& file, const S
         readWholeFile(file, [](std::string_view) { return std::nullopt; });
     if (!text)
         return text.failure();
+    if (cellContent(*text).empty()) // what has no commands has a heading
+        return Failure("%1 is empty: a table of time (s), control and value (m) is wanted.",
+                       file.string());
     ControlTrack track;
     std::string_view rest = *text;
     for (int number = 1; !rest.empty(); ++number) {

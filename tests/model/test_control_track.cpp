@@ -6,6 +6,7 @@
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "measure/diagnostics.h"
+#include "model/files.h"
 #include "registered_test.h"
 #include "simulation/simulation.h"
 
@@ -138,6 +139,22 @@ private slots:
         QVERIFY2(track, track ? "" : track.message().english().c_str());
         QCOMPARE(track->commands.front().control, 8u);
         QCOMPARE(track->commands.back().control, 7u);
+    }
+
+    // A file of nothing is no flight without a pilot, as one with a heading alone is.
+    void emptyFilesAreRefused()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("track.csv");
+        for (const QByteArray& text : {QByteArray(), QByteArray(" \n")}) {
+            write(file, text);
+            const auto track = readControlTrack(file.toStdString(), Scene());
+            QVERIFY(!track);
+            QVERIFY(QString::fromStdString(track.message().english()).contains("is empty"));
+        }
+        write(file, "time (s),control,value (m)\n");
+        const auto heading = readControlTrack(file.toStdString(), Scene());
+        QVERIFY(heading && heading->commands.empty());
     }
 
     // Files of earlier versions have no rows of hands.

@@ -156,6 +156,21 @@ private slots:
         QCOMPARE(rowsOf("settings.airDensity=1:0.1:1.3"), 4);
     }
 
+    void rangesThatAreNone()
+    {
+        Folder folder;
+        for (const auto& [range, said] :
+             {std::pair("1:0:2", "and 0 does not"),
+              {"2:0.1:1", "and 0.1 does not"},
+              {"1:1e-6:2", "has 1000001 values, and 100000 can be flown at most"}}) {
+            const Outcome outcome =
+                call({"sweep", folder.file, "--sweep", QString("settings.airDensity=%1").arg(range),
+                      "--seconds", "0.01"});
+            QCOMPARE(outcome.exitCode, 2);
+            QVERIFY2(outcome.error.contains(said), qPrintable(outcome.error));
+        }
+    }
+
     // Whatever a sweep varies can be flown again by --set: a number of a vector, a parameter of a
     // builder, and threads that carry from now on.
     void rowsAreFlownAgain_data()
