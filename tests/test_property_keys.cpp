@@ -218,6 +218,10 @@ private slots:
                 QVERIFY2(std::holds_alternative<NumberRows>(property.initial), name);
                 QCOMPARE(property.columns, 3);
                 break;
+            case Meaning::Times:
+                QVERIFY2(std::holds_alternative<NumberRows>(property.initial), name);
+                QVERIFY2(property.columns > 1, name);
+                break;
             }
         }
         for (int kind = int(Kind::Part); kind < kindCount; ++kind)

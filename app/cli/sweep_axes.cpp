@@ -74,8 +74,8 @@ Result<SweepAxis> sweepAxis(std::string_view text)
             return wrong(text, Message("a range is FROM:STEP:TO, three numbers."));
         const double exactly = *step == 0.0 ? -1.0 : (*to - *from) / *step;
         if (!(exactly >= 0.0))
-            return wrong(text, Message("the step must lead from the start of the range to its end, "
-                                       "and %1 does not.",
+            return wrong(text, Message("the range has no value: its step must lead from its start "
+                                       "to its end, and %1 does not.",
                                        textOf(*step)));
         if (exactly >= mostValues)
             return wrong(text, Message("the range has %1 values, and %2 can be flown at most: take "

@@ -1,3 +1,5 @@
+// Lines become cells first, by the separator of the first of them; then decimal commas become
+// points, where the whole table has no point.
 #include "base/number_table.h"
 
 #include <algorithm>

@@ -127,7 +127,7 @@ Result<ControlTrack> readControlTrack(const std::filesystem::path& file, const S
         readWholeFile(file, [](std::string_view) { return std::nullopt; });
     if (!text)
         return text.failure();
-    if (cellContent(*text).empty()) // what has no commands has a heading
+    if (text->find_first_not_of(" \t\r\n") == std::string::npos) // no commands have a heading
         return Failure("%1 is empty: a table of time (s), control and value (m) is wanted.",
                        file.string());
     ControlTrack track;

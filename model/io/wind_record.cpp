@@ -82,30 +82,33 @@ private:
 };
 
 // What columns may be called, what they are first.
-constexpr std::array<std::string_view, 4> timeWords{"time", "t", "seconds", "elapsed time"};
-constexpr std::array<std::string_view, 5> speedWords{"speed", "wind speed", "wind", "ws",
-                                                     "velocity"};
+constexpr std::array<std::string_view, 3> timeWords{"time", "t", "elapsed time"};
+constexpr std::array<std::string_view, 4> speedWords{"speed", "wind speed", "wind", "ws"};
 constexpr std::array<std::string_view, 4> directionWords{"direction", "wind direction", "dir",
                                                          "wd"};
-constexpr std::array<std::string_view, 3> axisWords{"x", "y", "z"};
-constexpr std::array<std::string_view, 3> sonicWords{"u", "v", "w"};
+constexpr std::string_view axisLetters = "xyz"; // a column each
+constexpr std::string_view sonicLetters = "uvw";
 
 Result<Columns> columnsOf(const TableLine& line, std::string_view name)
 {
     const Header header(line, name);
     Columns columns;
     columns.count = line.cells.size();
+    std::array<std::string_view, 3> letters;
     std::vector<std::pair<Words, std::string_view>> wanted = {{timeWords, "s"}};
-    const auto wantEach = [&](const std::array<std::string_view, 3>& words) {
-        for (const std::string_view& word : words)
-            wanted.push_back({Words(&word, 1), "m/s"});
+    const auto wantsEach = [&](std::string_view names) { // where there is the first of them
+        for (std::size_t i = 0; i < letters.size(); ++i)
+            letters[i] = names.substr(i, 1);
+        if (!header.has(Words(letters).first(1)))
+            return false;
+        for (std::size_t i = 0; i < letters.size(); ++i)
+            wanted.push_back({Words(letters).subspan(i, 1), "m/s"});
+        return true;
     };
-    if (header.has(Words(axisWords).first(1))) {
+    if (wantsEach(axisLetters)) {
         columns.form = Form::Axes;
-        wantEach(axisWords);
-    } else if (header.has(Words(sonicWords).first(1))) {
+    } else if (wantsEach(sonicLetters)) {
         columns.form = Form::Sonic;
-        wantEach(sonicWords);
     } else {
         wanted.push_back({speedWords, "m/s"});
         if (header.has(directionWords)) {

@@ -625,6 +625,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>Wind %1 has one row of velocities, and blows by it all the time: read a table of more.</source>
+        <translation>Le vent %1 n’a qu’une ligne de vitesses, et souffle ainsi tout le temps : lisez un tableau qui en a davantage.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>Wind %1 is over in %2 s, less than ten steps of %3 s: make it longer, or the time step shorter.</source>
         <translation>Le vent %1 est fini en %2 s, moins de dix pas de %3 s : allongez-le, ou raccourcissez le pas de temps.</translation>
     </message>
@@ -922,6 +927,11 @@
         <location filename="control_strip.cpp"/>
         <source>No controls. Add one in the outline to steer with keys.</source>
         <translation>Aucune commande. En ajouter une dans l’arborescence pour piloter au clavier.</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>%1 is empty: a table of time (s), control and value (m) is wanted.</source>
+        <translation>%1 est vide : on attend un tableau de temps (s), commande et valeur (m).</translation>
     </message>
     <message>
         <location filename="control_track.cpp"/>
@@ -2685,6 +2695,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="field.cpp"/>
+        <source>%1 rows</source>
+        <translation>%1 rangs</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
         <source>A name is needed.</source>
         <translation>Il faut un nom.</translation>
     </message>
@@ -2712,6 +2727,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="field.cpp"/>
         <source>No key is called so; try Left, A or Ctrl+Up.</source>
         <translation>Aucune touche ne s’appelle ainsi ; essayer Left, A ou Ctrl+Up.</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>Read a measured wind from a table: time and speed, with a direction, or with three components.</source>
+        <translation>Lire un vent mesuré dans un tableau : temps et vitesse, avec une direction, ou trois composantes.</translation>
     </message>
     <message>
         <location filename="field.cpp"/>
@@ -6157,6 +6177,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>du matériau (%1)</translation>
     </message>
     <message>
+        <location filename="number_table.cpp"/>
+        <source>%1, line %2: "%3" is no number.</source>
+        <translation>%1, ligne %2 : « %3 » n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <location filename="number_table.cpp"/>
+        <source>%1, line %2: %3 has a decimal comma, and other cells have a decimal point; write all decimals alike.</source>
+        <translation>%1, ligne %2 : %3 a une virgule décimale, et d’autres cellules un point décimal ; écrivez toutes les décimales de la même façon.</translation>
+    </message>
+    <message>
         <location filename="obj_file.cpp"/>
         <source>"%1" is a number with a decimal comma</source>
         <translation>« %1 » est un nombre à virgule décimale</translation>
@@ -9435,11 +9465,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="sheet_panel.cpp"/>
-        <source>%1 rows</source>
-        <translation>%1 rangs</translation>
-    </message>
-    <message>
-        <location filename="sheet_panel.cpp"/>
         <source>Copy	Ctrl+C</source>
         <translation>Copier	Ctrl+C</translation>
     </message>
@@ -10995,6 +11020,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>A flexible wing with a pilot who steers by shifting weight.</source>
         <translation>Une aile souple avec un pilote qui dirige en déportant son poids.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A front passes</source>
+        <translation>Un front passe</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14093,6 +14123,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Measuring</source>
         <translation>Mesures</translation>
     </message>
@@ -15178,6 +15213,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Rows of time in s and of velocity along x, y and z in m/s: straight from row to row, and before the first and after the last as there.</source>
+        <translation>Lignes de temps en s et de vitesse selon x, y et z en m/s : droit d’une ligne à l’autre, et avant la première et après la dernière comme là.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Royal Target cotton</source>
         <translation>Coton Royal Target</translation>
     </message>
@@ -15938,8 +15978,13 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>The same everywhere, growing with height by a power law or a logarithm, gusts after Dryden that the other winds carry past, a jet from a nozzle, or single gusts of a known size; the winds of a scene add up.</source>
-        <translation>Le même partout, croissant avec la hauteur selon une loi de puissance ou un logarithme, des rafales selon Dryden que les autres vents emportent, le jet d’une buse, ou des rafales isolées de taille connue ; les vents d’une scène s’ajoutent.</translation>
+        <source>The same everywhere, growing with height by a power law or a logarithm, gusts after Dryden that the other winds carry past, a jet from a nozzle, single gusts of a known size, or as measured; the winds of a scene add up.</source>
+        <translation>Le même partout, croissant avec la hauteur selon une loi de puissance ou un logarithme, des rafales selon Dryden que les autres vents emportent, le jet d’une buse, des rafales isolées de taille connue, ou tel qu’on l’a mesuré ; les vents d’une scène s’ajoutent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The wind is a table of speeds and directions, passing_front.csv, made up: 6 m/s, a lull, then up to 15 m/s from 50 degrees to the right. The kite swings round to where it blows. Tune the line strength of the line, 1 to 20 N; or give the wind a table of your own.</source>
+        <translation>Le vent est un tableau de vitesses et de directions, passing_front.csv, inventé : 6 m/s, une accalmie, puis jusqu’à 15 m/s venant de 50 degrés à droite. Le cerf-volant suit le vent. Réglez la résistance de la ligne, de 1 à 20 N ; ou donnez au vent un tableau à vous.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16113,6 +16158,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
+        <source>Velocities</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Velocity</source>
         <translation>Vitesse</translation>
     </message>
@@ -16123,8 +16173,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>Velocity of the air: everywhere, at the reference height, in the nozzle, or at the peak of a discrete gust; gusts after Dryden have none of their own.</source>
-        <translation>Vitesse de l’air : partout, à la hauteur de référence, dans la buse, ou au sommet d’une rafale isolée ; les rafales selon Dryden n’en ont pas en propre.</translation>
+        <source>Velocity of the air: everywhere, at the reference height, in the nozzle, or at the peak of a discrete gust; gusts after Dryden and measured winds have none of their own.</source>
+        <translation>Vitesse de l’air : partout, à la hauteur de référence, dans la buse, ou au sommet d’une rafale isolée ; les rafales selon Dryden et les vents mesurés n’en ont pas en propre.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16633,8 +16683,8 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="tables"/>
-        <source>gusts after Dryden have none of their own</source>
-        <translation>les rafales selon Dryden n’en ont pas en propre</translation>
+        <source>gusts after Dryden and measured winds have none of their own</source>
+        <translation>les rafales selon Dryden et les vents mesurés n’en ont pas en propre</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -16770,6 +16820,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>only a discrete gust that comes again has it</source>
         <translation>seule une rafale isolée qui revient l’a</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only a measured wind has them</source>
+        <translation>seul un vent mesuré les a</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -17150,16 +17205,6 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="test_table.cpp"/>
         <source>%1 lines have an empty cell and are left out, the first of them line %2.</source>
         <translation>%1 lignes ont une cellule vide et sont omises, dont la première est la ligne %2.</translation>
-    </message>
-    <message>
-        <location filename="test_table.cpp"/>
-        <source>%1, line %2: "%3" is no number.</source>
-        <translation>%1, ligne %2 : « %3 » n’est pas un nombre.</translation>
-    </message>
-    <message>
-        <location filename="test_table.cpp"/>
-        <source>%1, line %2: %3 has a decimal comma, and other cells have a decimal point; write all decimals alike.</source>
-        <translation>%1, ligne %2 : %3 a une virgule décimale, et d’autres cellules un point décimal ; écrivez toutes les décimales de la même façon.</translation>
     </message>
     <message>
         <location filename="test_table.cpp"/>
@@ -18527,6 +18572,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
     </message>
     <message>
         <location filename="value.cpp"/>
+        <source>must have times that rise from row to row (row %1)</source>
+        <translation>doit avoir des temps qui croissent d’une ligne à l’autre (ligne %1)</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
         <source>needs a row</source>
         <translation>demande un rang</translation>
     </message>
@@ -19227,6 +19277,36 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="whole_file.cpp"/>
         <source>unknown error</source>
         <translation>erreur inconnue</translation>
+    </message>
+    <message>
+        <location filename="wind_file.cpp"/>
+        <source>Read a measured wind</source>
+        <translation>Lire un vent mesuré</translation>
+    </message>
+    <message>
+        <location filename="wind_file.cpp"/>
+        <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Tableaux (*.csv *.tsv *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="wind_record.cpp"/>
+        <source>%1, line %2: "%3" is no unit for the %4; write %5.</source>
+        <translation>%1, ligne %2 : « %3 » n’est pas une unité pour %4 ; écrivez %5.</translation>
+    </message>
+    <message>
+        <location filename="wind_record.cpp"/>
+        <source>%1, line %2: Begin with a line that names the columns, like "time (s),speed (m/s),direction (deg)"; without one there are two, time and speed, or four, time, x, y and z.</source>
+        <translation>%1, ligne %2 : Commencez par une ligne qui nomme les colonnes, comme « time (s),speed (m/s),direction (deg) » ; sans elle il y en a deux, temps et vitesse, ou quatre, temps, x, y et z.</translation>
+    </message>
+    <message>
+        <location filename="wind_record.cpp"/>
+        <source>%1, line %2: Its time does not come after that of the row before; times are seconds that rise.</source>
+        <translation>%1, ligne %2 : Son temps ne vient pas après celui de la ligne précédente ; les temps sont des secondes qui croissent.</translation>
+    </message>
+    <message>
+        <location filename="wind_record.cpp"/>
+        <source>%1, line %2: The header names no column for the %3; write "time (s),speed (m/s)" for example.</source>
+        <translation>%1, ligne %2 : L’en-tête ne nomme aucune colonne pour %3 ; écrivez par exemple « time (s),speed (m/s) ».</translation>
     </message>
     <message>
         <location filename="window_tour.cpp"/>

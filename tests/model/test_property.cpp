@@ -105,7 +105,11 @@ std::vector<Value> otherValues(const Property& property)
         }
         std::vector<Value> operator()(const NumberRows& rows) const
         {
-            return {NumberRows{rows.front(), rows.back()}};
+            if (rows.size() > 1)
+                return {NumberRows{rows.front(), rows.back()}};
+            std::vector<double> later = rows.front();
+            later[0] += 1.5;
+            return {NumberRows{rows.front(), later}};
         }
     };
     return std::visit(Other{property}, property.initial);

@@ -74,7 +74,8 @@ std::vector<Value> valuesFor(const Property& property)
     else if (std::holds_alternative<Vec3>(initial))
         values = {Vec3(0.1, -0.0, 1e-300), Vec3(-1.0 / 3.0, 2.0, 123456789.0)};
     else if (std::holds_alternative<NumberRows>(initial))
-        values = {NumberRows{{0.0, -0.0, 1.0 / 3.0}, {45.5, 1e22, 5e-324}}};
+        values = {NumberRows{{0.0, -0.0, 1.0 / 3.0}, {45.5, 1e22, 5e-324}},
+                  NumberRows{{-1.5, -0.0, 1.0 / 3.0, 1e22}, {45.5, 5e-324, 0.1, -2.0}}};
     else if (!property.choices.empty())
         for (const std::string_view choice : property.choices)
             values.emplace_back(std::string(choice));

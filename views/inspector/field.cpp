@@ -8,16 +8,15 @@
 
 #include "document/document.h"
 #include "document/shape_file.h"
+#include "document/wind_file.h"
 #include "document/words.h"
 #include "icons/icon.h"
 #include "icons/swatch.h"
 #include "inspector/value_edit.h"
-#include "io/wind_record.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeySequence>
 #include <QPlainTextEdit>
@@ -180,16 +179,12 @@ Field withRecordButton(const FieldPlace& place, Field field)
                              "or with three components."));
     button->setAccessibleName(words("Read a measured wind"));
     QObject::connect(button, &QToolButton::clicked, button, [place, button] {
-        const QString folder = QString::fromStdString(place.subject.document().scene().folder.path);
-        const QString file =
-            QFileDialog::getOpenFileName(button->window(), words("Read a measured wind"), folder,
-                                         words("Tables (*.csv *.tsv *.txt);;All files (*)"));
-        if (file.isEmpty())
+        const auto rows = askWindRecord(button->window(), place.subject.document());
+        if (!rows)
             return;
-        const Result<NumberRows> rows = windRecordOf(file.toStdString());
-        place.complain(rows ? QString() : translated(rows.message()));
-        if (rows)
-            place.subject.edit(place.property, setTo(*rows));
+        place.complain(*rows ? QString() : translated(rows->message()));
+        if (*rows)
+            place.subject.edit(place.property, setTo(**rows));
     });
     field.widget = sideBySide(field.widget, button);
     return field;
