@@ -2695,8 +2695,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="field.cpp"/>
-        <source>%1 rows</source>
-        <translation>%1 rangs</translation>
+        <source>%1 rows, %2 to %3 s</source>
+        <translation>%1 lignes, de %2 à %3 s</translation>
     </message>
     <message>
         <location filename="field.cpp"/>
@@ -9462,6 +9462,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="sheet_panel.cpp"/>
         <source>%1 of %2 rows</source>
         <translation>%1 sur %2 rangs</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>%1 rows</source>
+        <translation>%1 rangs</translation>
     </message>
     <message>
         <location filename="sheet_panel.cpp"/>

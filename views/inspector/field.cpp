@@ -8,6 +8,7 @@
 
 #include "document/document.h"
 #include "document/shape_file.h"
+#include "document/spoken.h"
 #include "document/wind_file.h"
 #include "document/words.h"
 #include "icons/icon.h"
@@ -19,6 +20,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeySequence>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <QToolButton>
 
@@ -169,6 +171,17 @@ Field textField(const FieldPlace& place)
             }};
 }
 
+// What stands in place of more rows of times than one reads in a line; empty for few.
+QString summaryOf(const NumberRows& rows)
+{
+    constexpr std::size_t few = 3;
+    if (rows.size() <= few)
+        return {};
+    return words("%1 rows, %2 to %3 s")
+        .arg(QLocale().toString(qulonglong(rows.size())), spokenText(rows.front()[0], {}, 4),
+             spokenText(rows.back()[0], {}, 4));
+}
+
 // Beside rows of times a button that reads a measured wind.
 Field withRecordButton(const FieldPlace& place, Field field)
 {
@@ -204,20 +217,18 @@ Field rowsField(const FieldPlace& place)
         if (const auto value = valueFromText(place.property, text.toStdString()))
             place.subject.edit(place.property, setTo(*value));
     });
-    Field field{edit, {edit}, [edit](const Common& common) {
-                    constexpr std::size_t most = 40; // rows that one reads in a line
+    const bool isOfTimes = place.property.meaning == Meaning::Times;
+    Field field{edit, {edit}, [edit, isOfTimes](const Common& common) {
                     const auto* rows = std::get_if<NumberRows>(&common.value);
-                    const bool isLong = rows && rows->size() > most;
-                    const bool mixed = common.mixed[0];
-                    edit->show(mixed || isLong
-                                   ? QString()
-                                   : QString::fromStdString(textFromValue(common.value)),
-                               mixed    ? mixedText()
-                               : isLong ? words("%1 rows").arg(rows->size())
-                                        : QString());
+                    const QString summary = common.mixed[0]     ? mixedText()
+                                            : isOfTimes && rows ? summaryOf(*rows)
+                                                                : QString();
+                    edit->show(summary.isEmpty()
+                                   ? QString::fromStdString(textFromValue(common.value))
+                                   : QString(),
+                               summary);
                 }};
-    return place.property.meaning == Meaning::Times ? withRecordButton(place, std::move(field))
-                                                    : field;
+    return isOfTimes ? withRecordButton(place, std::move(field)) : field;
 }
 
 Field notesField(const FieldPlace& place)
