@@ -310,6 +310,13 @@ private:
                         "table of more.",
                         wind.name),
                 id);
+        constexpr double latest = 60.0; // s, of a table that does not count by a clock
+        if (wind.kind == WindKind::Measured && wind.velocities.front()[0] > latest)
+            add("wind-clock", Severity::Warning,
+                Message("Wind %1 blows by its first row until %2 s of the run: let the times of "
+                        "its table count from the start of the run.",
+                        wind.name, Message::number("%.7g", wind.velocities.front()[0])),
+                id);
         const double speed = fastest(wind), limit = m_scene.settings.speedLimit;
         if (speed > limit)
             add("storm", Severity::Warning,

@@ -11,6 +11,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop::test_wind_record {
@@ -27,6 +28,12 @@ Scene blownBy(NumberRows velocities)
     scene.items = {{Id{2}, part}, {Id{3}, wind}};
     scene.nextId = Id{4};
     return scene;
+}
+
+bool warnsOf(std::string_view sort, const Scene& scene)
+{
+    return std::ranges::any_of(problemsOf(scene),
+                               [&](const Finding& one) { return one.sort == sort; });
 }
 
 Vec3 windAtTime(const System& system, double time)
@@ -174,12 +181,15 @@ private slots:
 
     void oneRowIsWarnedOf()
     {
-        const auto warns = [](const Scene& scene) {
-            return std::ranges::any_of(
-                problemsOf(scene), [](const Finding& one) { return one.sort == "wind-record"; });
-        };
-        QVERIFY(warns(blownBy({{0.0, 2.0, 0.0, 0.0}})));
-        QVERIFY(!warns(blownBy({{0.0, 2.0, 0.0, 0.0}, {1.0, 2.0, 0.0, 0.0}})));
+        QVERIFY(warnsOf("wind-record", blownBy({{0.0, 2.0, 0.0, 0.0}})));
+        QVERIFY(!warnsOf("wind-record", blownBy({{0.0, 2.0, 0.0, 0.0}, {1.0, 2.0, 0.0, 0.0}})));
+    }
+
+    // Seconds of a day, as loggers count, are none of a run.
+    void clocksAreWarnedOf()
+    {
+        QVERIFY(warnsOf("wind-clock", blownBy({{43200.0, 2, 0, 0}, {43201.0, 3, 0, 0}})));
+        QVERIFY(!warnsOf("wind-clock", blownBy({{5.0, 2, 0, 0}, {43201.0, 3, 0, 0}})));
     }
 
     // The table of a file, on the command line, and what is said of one that ends before the run.
