@@ -615,6 +615,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>Wind %1 blows by its first row until %2 s of the run: let the times of its table count from the start of the run.</source>
+        <translation>Le vent %1 souffle selon sa première ligne jusqu’à %2 s du vol : que les temps de son tableau comptent depuis le début du vol.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>Wind %1 blows with %2 m/s, and a run stops where something goes faster than the speed limit of %3 m/s: check the unit.</source>
         <translation>Le vent %1 souffle à %2 m/s, et un calcul s’arrête dès que quelque chose dépasse la vitesse limite de %3 m/s : vérifiez l’unité.</translation>
     </message>

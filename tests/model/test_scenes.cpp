@@ -57,8 +57,8 @@ private slots:
         const QTemporaryDir made;
         const QString script = made.filePath("make");
         QVERIFY(QFile::copy(QStringLiteral(SCENES_DIR "/make"), script));
-        QVERIFY(QFile::copy(QStringLiteral(SCENES_DIR "/printed_flag.png"),
-                            made.filePath("printed_flag.png")));
+        for (const char* const file : {"printed_flag.png", "passing_front.csv"})
+            QVERIFY(QFile::copy(QStringLiteral(SCENES_DIR "/") + file, made.filePath(file)));
         QProcess shell;
         shell.start("sh", {script, CLI_PROGRAM});
         QVERIFY(shell.waitForFinished(120'000));
