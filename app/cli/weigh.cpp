@@ -42,7 +42,8 @@ void keepHeavier(const Scene& scene, SetValues& masses)
 }
 
 // What weighs more than twice what its materials say carries something else, such as a payload.
-void warnOfLost(const Scene& scene, const SetValues& masses)
+// Says what of that will be gone; empty where nothing is.
+std::string lostBy(const SetValues& masses, const Scene& scene)
 {
     double lost = 0.0; // kg, of all
     double most = 0.0; // kg, of one
@@ -60,12 +61,13 @@ void warnOfLost(const Scene& scene, const SetValues& masses)
             heaviest = masses.targets[i];
         }
     }
-    if (count > 0)
-        warn(shortNumber(lost) + " kg of what " + std::to_string(count)
-             + (count == 1 ? " particle" : " particles")
-             + " carried beside cloth and lines is gone, the most, " + shortNumber(most)
-             + " kg, of particle " + std::to_string(std::uint32_t(heaviest))
-             + ": --keep-heavier keeps such masses.");
+    if (count == 0)
+        return {};
+    return shortNumber(lost) + " kg of what " + std::to_string(count)
+           + (count == 1 ? " particle" : " particles")
+           + " carried beside cloth and lines is gone, the most, " + shortNumber(most)
+           + " kg, of particle " + std::to_string(std::uint32_t(heaviest))
+           + ": --keep-heavier keeps such masses.";
 }
 
 int weigh(const WeighOptions& options)
@@ -83,11 +85,13 @@ int weigh(const WeighOptions& options)
     SetValues& masses = std::get<SetValues>(edit.changes.front());
     if (options.keepsHeavier)
         keepHeavier(scene, masses);
-    warnOfLost(scene, masses);
+    const std::string lost = lostBy(masses, scene);
     const std::size_t count = masses.targets.size();
     (void)apply(scene, edit);
     if (const auto failure = saveReadable(scene, options.output))
         return fail(BadInput, failure->message);
+    if (!lost.empty())
+        warn(lost);
     std::cout << count << " particles weighed: " << shortNumber(before) << " kg became "
               << shortNumber(massOf(scene)) << " kg\n";
     return Done;

@@ -3,10 +3,15 @@
 // Stages: what is told, with its figures; then what else may bear a weight, of which each keeps it
 // from being told.
 #include "check/check.h"
+#include "io/scene_file.h"
+#include "model/cli_call.h"
 #include "registered_test.h"
+#include "scene/particle_of.h"
 
+#include <QTemporaryDir>
 #include <QtTest>
 
+#include <cmath>
 #include <functional>
 
 Q_DECLARE_METATYPE(std::function<void(ripstop::Scene&)>)
@@ -184,6 +189,33 @@ private slots:
         const std::vector<Finding> problems = problemsOf(scene);
         QCOMPARE(problems.size(), std::size_t(1));
         QCOMPARE(problems[0].sort, "inside");
+    }
+
+    // Weighing by densities takes a payload away, and says so, or leaves it where it is told to.
+    void weighingTellsOfPayloads()
+    {
+        Scene scene = hanging();
+        std::get<Material>(*findItem(scene, cordId)).linearDensity = 0.01;
+        constexpr double length = 10.0; // m
+        for (Link& link : std::get<Part>(*findItem(scene, partId)).links)
+            link.restLength = length;
+        const double ofLines = 2.0 * 0.5 * 0.01 * length; // kg, half of each line
+
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("load.ripstop.json");
+        const QString weighed = folder.filePath("weighed.ripstop.json");
+        QVERIFY(!saveScene(scene, file.toStdString()));
+        const auto massOfLoad = [&] {
+            const Result<Scene> read = readScene(weighed.toStdString());
+            return read ? particleOf(*read, load)->mass : -1.0;
+        };
+        const Outcome taken = call({"weigh", file, "-o", weighed});
+        QVERIFY2(taken.error.contains("49.9 kg, of particle 13: --keep-heavier"),
+                 qPrintable(taken.error));
+        QVERIFY(std::abs(massOfLoad() - ofLines) < 1e-12);
+        const Outcome kept = call({"weigh", file, "--keep-heavier", "-o", weighed});
+        QVERIFY2(kept.exitCode == 0 && kept.error.isEmpty(), qPrintable(kept.error));
+        QCOMPARE(massOfLoad(), 50.0);
     }
 };
 
