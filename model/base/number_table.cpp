@@ -10,23 +10,9 @@
 namespace ripstop {
 namespace {
 
-std::string trimmed(std::string_view text)
+std::optional<double> numberIn(std::string_view cell)
 {
-    const auto first = text.find_first_not_of(" \t\r\"");
-    if (first == std::string_view::npos)
-        return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1));
-}
-
-std::optional<double> numberIn(const std::string& cell)
-{
-    const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
-    const char* end = cell.data() + cell.size();
-    double value = 0.0;
-    const auto [last, error] = std::from_chars(begin, end, value);
-    if (error != std::errc() || last != end || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+    return cellNumber(cell.starts_with('+') ? cell.substr(1) : cell);
 }
 
 bool isDecimalComma(const std::string& cell)
@@ -44,7 +30,7 @@ std::vector<std::string> cellsOf(std::string_view line, char separator)
     std::vector<std::string> cells;
     for (std::size_t begin = 0; begin <= line.size();) {
         const std::size_t end = std::min(line.find(separator, begin), line.size());
-        cells.push_back(trimmed(line.substr(begin, end - begin)));
+        cells.emplace_back(cellContent(line.substr(begin, end - begin)));
         begin = end + 1;
     }
     return cells;
@@ -62,7 +48,7 @@ std::vector<TableLine> rawLines(std::string_view text)
         const std::string_view line = text.substr(begin, end - begin);
         begin = end + 1;
         ++number;
-        if (trimmed(line).empty() || line.starts_with('#'))
+        if (cellContent(line).empty() || line.starts_with('#'))
             continue;
         if (separator == '\0')
             separator = line.find('\t') != std::string_view::npos  ? '\t'
@@ -94,6 +80,25 @@ void takeDecimalCommas(std::vector<TableLine>& lines)
 
 } // namespace
 
+std::string_view cellContent(std::string_view cell)
+{
+    const auto first = cell.find_first_not_of(" \t\r\"");
+    if (first == std::string_view::npos)
+        return {};
+    return cell.substr(first, cell.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+std::optional<double> cellNumber(std::string_view cell)
+{
+    const std::string_view content = cellContent(cell);
+    double value = 0.0;
+    const char* const last = content.data() + content.size();
+    const auto [end, error] = std::from_chars(content.data(), last, value);
+    if (error != std::errc() || end != last || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
 std::vector<TableLine> tableLines(std::string_view text)
 {
     std::vector<TableLine> lines = rawLines(text);
@@ -113,9 +118,9 @@ std::pair<std::string, std::string> nameAndUnit(std::string cell)
     const auto open = cell.find_first_of("([");
     if (open != std::string::npos) {
         const auto close = cell.find_first_of(")]", open);
-        unit =
-            trimmed(cell.substr(open + 1, close == std::string::npos ? close : close - open - 1));
-        cell = trimmed(cell.substr(0, open));
+        unit = cellContent(std::string_view(cell).substr(
+            open + 1, close == std::string::npos ? close : close - open - 1));
+        cell = std::string(cellContent(std::string_view(cell).substr(0, open)));
     }
     std::ranges::transform(cell, cell.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });

@@ -8,12 +8,19 @@
 
 #include "base/result.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace ripstop {
+
+// What a cell holds, without blanks and quotation marks around it.
+std::string_view cellContent(std::string_view cell);
+
+// The finite number that is all of a cell's content.
+std::optional<double> cellNumber(std::string_view cell);
 
 struct TableLine
 {

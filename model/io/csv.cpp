@@ -48,25 +48,6 @@ std::string withUnit(const std::string& name, const std::string& unit)
     return unit.empty() ? name : name + " (" + unit + ")";
 }
 
-std::string_view cellContent(std::string_view cell)
-{
-    const auto first = cell.find_first_not_of(" \t\r\"");
-    if (first == std::string_view::npos)
-        return {};
-    return cell.substr(first, cell.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::optional<double> cellNumber(std::string_view cell)
-{
-    const std::string_view content = cellContent(cell);
-    double value = 0.0;
-    const char* const last = content.data() + content.size();
-    const auto [end, error] = std::from_chars(content.data(), last, value);
-    if (error != std::errc() || end != last || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
 std::string csvHeader(const Frame& first, const Certificate* certificate)
 {
     std::string header = "# Ripstop " + programVersion() + stateOf(first) + "time (s)";

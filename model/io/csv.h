@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/new_file.h"
+#include "base/number_table.h"
 #include "base/result.h"
 #include "recording/certificate.h"
 #include "simulation/frame.h"
@@ -23,12 +24,6 @@ std::string withUnit(const std::string& name, const std::string& unit); // "heig
 
 // A comma and the number after it; one that is not finite leaves the cell empty.
 void appendCell(std::string& row, double value);
-
-// What a cell holds, without blanks and quotation marks around it.
-std::string_view cellContent(std::string_view cell);
-
-// The finite number that is all of a cell's content.
-std::optional<double> cellNumber(std::string_view cell);
 
 // A table of probe values, one row for each frame. Comments, lines that begin with #, say which
 // program and which state it began with; the header gives each column its unit: "time (s),height

@@ -29,13 +29,26 @@ Vec3 meanVelocity(const NumberRows& rows)
     return time > 0.0 ? Vec3(way / time) : at(rows.front());
 }
 
-Vec3 meanWindAt(const Scene& scene, const Vec3& place)
+std::vector<Airflow> airflowsOf(const Scene& scene)
 {
-    Vec3 sum = Vec3::Zero();
+    std::vector<Airflow> flows;
     for (const Entry& entry : scene.items)
         if (const Wind* wind = std::get_if<Wind>(&entry.item))
-            sum += velocityAt(airflowOf(*wind), place);
+            flows.push_back(airflowOf(*wind));
+    return flows;
+}
+
+Vec3 velocityAt(const std::vector<Airflow>& flows, const Vec3& place)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const Airflow& flow : flows)
+        sum += velocityAt(flow, place);
     return sum;
+}
+
+Vec3 meanWindAt(const Scene& scene, const Vec3& place)
+{
+    return velocityAt(airflowsOf(scene), place);
 }
 
 } // namespace ripstop

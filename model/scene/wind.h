@@ -15,6 +15,11 @@ Airflow airflowOf(const Wind& wind);
 //   rows  s, m/s along x, y, z, as Wind::velocities has them
 Vec3 meanVelocity(const NumberRows& rows);
 
+// Those of all winds, of gusts such as blow nowhere, for whoever asks for many places: the mean of
+// a long record takes as long as it is.
+std::vector<Airflow> airflowsOf(const Scene& scene);
+Vec3 velocityAt(const std::vector<Airflow>& flows, const Vec3& place); // m/s, their sum
+
 // m/s at a place, m: the sum of all winds of the scene but gusts, which depend on time.
 Vec3 meanWindAt(const Scene& scene, const Vec3& place);
 

@@ -48,6 +48,8 @@ public:
     // of every step since.
     const WorstPlaces& ofRun() const { return m_ofRun; }
 
+    const JudgedPlaces& judged() const { return m_judged; } // at the last look
+
     const FirstBreaks& firstBreaks() const { return m_firstBreaks; } // since begin()
 
 private:

@@ -3,10 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace ripstop {
+namespace {
+
+bool isOfLinks(const ProbeSpec& probe, const System& system, const State::Tear& tear)
+{
+    return std::ranges::any_of(
+        probe.links, [&](int l) { return system.links[std::size_t(l)].key == tear.element; });
+}
+
+bool isOfPanels(const ProbeSpec& probe, const System& system, const State::Tear& tear)
+{
+    return std::ranges::any_of(
+        probe.panels, [&](int p) { return system.panelKey[std::size_t(p)] == tear.element; });
+}
+
+} // namespace
 
 void ProbePeaks::beginStep(const System& system, const State& state)
 {
@@ -29,37 +43,21 @@ void ProbePeaks::afterSubstep(const System& system, const State& state, double /
             note(system, i, m_instant->value(system.probes[i]));
 }
 
-void ProbePeaks::noteTears(const System& system, const State& state, std::size_t tearsBefore)
+void ProbePeaks::noteTears(const System& system, std::span<const State::Tear> torn,
+                           const JudgedPlaces& judged)
 {
-    const std::span<const State::Tear> torn = std::span(state.tears).subspan(tearsBefore);
-    if (torn.empty() || system.probes.empty())
-        return;
-    std::optional<JudgedPlaces> judged; // for margins alone
-    for (std::size_t i = 0; i < system.probes.size(); ++i) {
-        const ProbeSpec& probe = system.probes[i];
-        const bool isTension =
-            probe.quantity == Quantity::Tension || probe.quantity == Quantity::MaxTension;
-        if (!isTension && probe.quantity != Quantity::Margin)
-            continue;
-        for (const State::Tear& tear : torn) {
-            const auto isLink = [&](int l) {
-                return system.links[std::size_t(l)].key == tear.element;
-            };
-            const auto isPanel = [&](int p) {
-                return system.panelKey[std::size_t(p)] == tear.element;
-            };
-            const bool isOfLink = std::ranges::any_of(probe.links, isLink);
-            if (isTension) {
-                const bool hasSnapped = tear.length == 0.0; // by its bending moment
-                if (isOfLink && !hasSnapped)
-                    note(system, i, tear.force);
-            } else if (isOfLink || std::ranges::any_of(probe.panels, isPanel)) {
-                if (!judged)
-                    judged = judgedPlacesOf(system);
-                if (const LoadedPlace place = tornPlace(system, tear, *judged);
-                    place.strength > 0.0)
-                    note(system, i, place.margin());
-            }
+    for (const State::Tear& tear : torn) {
+        const LoadedPlace place = tornPlace(system, tear, judged);
+        for (std::size_t i = 0; i < system.probes.size(); ++i) {
+            const ProbeSpec& probe = system.probes[i];
+            if (probe.quantity == Quantity::Margin && place.strength > 0.0
+                && (isOfLinks(probe, system, tear) || isOfPanels(probe, system, tear)))
+                note(system, i, place.margin());
+            const bool isTension =
+                probe.quantity == Quantity::Tension || probe.quantity == Quantity::MaxTension;
+            const bool isPull = place.kind == LoadKind::Line || place.kind == LoadKind::Thread;
+            if (isTension && isPull && isOfLinks(probe, system, tear))
+                note(system, i, tear.force);
         }
     }
 }

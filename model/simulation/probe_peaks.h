@@ -29,8 +29,8 @@ public:
                       Integrator integrator) override;
 
     // Of what broke in the step, while the system is still the one that it broke in.
-    //   tearsBefore  it, of the state
-    void noteTears(const System& system, const State& state, std::size_t tearsBefore);
+    void noteTears(const System& system, std::span<const State::Tear> torn,
+                   const JudgedPlaces& judged);
 
     bool isEmpty() const { return !m_isNoted; } // nothing is known but of the end of the step
 

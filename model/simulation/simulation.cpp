@@ -270,7 +270,7 @@ bool Simulation::Private::step()
     } else {
         noteAccuracy(system(), stepper, run.now, run.now.tears.size() - tears, damping, accuracy);
         loads.look(system(), run.now, tears);
-        peaks.noteTears(system(), run.now, tears);
+        peaks.noteTears(system(), std::span(run.now.tears).subspan(tears), loads.judged());
         snatches.note(system(), stepper, isTooLong);
         if (loads.hasPeakAfter(run.lastGood.time))
             loads.noteShortfall(run.lastGood.time,

@@ -29,13 +29,14 @@ std::vector<WindArrow> windField(const Scene& scene, const Vec3& gust,
     const double step = stepOf(bounds);
     const Vec3 middle = bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(bounds.center());
     const auto nearest = [&](int axis) { return std::round(middle[axis] / step); };
+    const std::vector<Airflow> flows = airflowsOf(scene);
     std::vector<WindArrow> arrows;
     for (int i = -arrowsAcross; i <= arrowsAcross; ++i)
         for (int j = -arrowsAcross; j <= arrowsAcross; ++j)
             for (int k = -arrowsAcross; k <= arrowsAcross; ++k) {
                 const Vec3 place =
                     step * Vec3(nearest(0) + i, nearest(1) + j + 0.5, nearest(2) + k);
-                const Vec3 velocity = meanWindAt(scene, place) + gust;
+                const Vec3 velocity = velocityAt(flows, place) + gust;
                 if (place.y() > 0.0 && velocity.norm() > 1e-3)
                     arrows.push_back({place, velocity});
             }
