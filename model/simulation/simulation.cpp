@@ -86,6 +86,7 @@ private:
     void followRamps(double time);
     void forgetAccuracy();
     int advance(bool keepsLedger, Look look);
+    int advanceAgain(bool keepsLedger, int finer);
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -252,14 +253,12 @@ bool Simulation::Private::step()
     const std::size_t tears = run.now.tears.size();
     int substeps = advance(keepsLedger, Look::AtEnd);
     const bool isTooLong = snatches.isTooLong(system(), run.lastGood, run.now, stepper);
-    if (isTooLong && system().solver == Solver::Auto) { // others do what they are told
-        const int chosen = run.now.substeps; // for the next step, which may be a usual one
-        run.now = run.lastGood;
-        const int refinement = stepper.refinement();
-        stepper.refine(SnatchLoads::finer * refinement);
-        substeps = advance(keepsLedger, Look::Within);
-        stepper.refine(refinement);
-        run.now.substeps = chosen;
+    if (system().solver == Solver::Auto) { // others do what they are told
+        int finer = 1;
+        if (isTooLong)
+            substeps = advanceAgain(keepsLedger, finer = SnatchLoads::finer);
+        for (int enough; (enough = SnatchLoads::finerForBreaks(system(), stepper, finer)) > finer;)
+            substeps = advanceAgain(keepsLedger, finer = enough);
     }
     trouble = findTrouble(system(), run.lastGood, run.now, substeps);
     if (trouble) {
@@ -278,6 +277,20 @@ bool Simulation::Private::step()
         derived.followTears(tears, run);
     }
     return !trouble;
+}
+
+// From where the step began, each substep cut in so many. How many the next step takes is as it was
+// chosen: that may be a usual one.
+int Simulation::Private::advanceAgain(bool keepsLedger, int finer)
+{
+    const int chosen = run.now.substeps;
+    run.now = run.lastGood;
+    const int refinement = stepper.refinement();
+    stepper.refine(finer * refinement);
+    const int substeps = advance(keepsLedger, Look::Within);
+    stepper.refine(refinement);
+    run.now.substeps = chosen;
+    return substeps;
 }
 
 // Returns the number of substeps that it took.

@@ -56,6 +56,15 @@ bool SnatchLoads::isTooLong(const System& system, const State& before, const Sta
            && taken > mostOfStretch * stretchOf(system, after);
 }
 
+int SnatchLoads::finerForBreaks(const System& system, const Stepper& stepper, int finer)
+{
+    constexpr double most = 256.0;
+    const double late = stepper.lateBreak() / system.accuracy;
+    if (!(late > 1.0))
+        return finer;
+    return int(std::min(most, std::exp2(std::ceil(std::log2(late * finer)))));
+}
+
 double SnatchLoads::stretchOf(const System& system, const State& state)
 {
     return stretchEnergy(system, state, lengths(system, state));

@@ -65,6 +65,7 @@ int Stepper::step(const System& system, State& state)
     m_numericalDamping = {};
     m_noted = 0.0;
     m_hasSnatch = false;
+    m_tearing.late = 0.0;
     prepare(system, state);
     const int chosen = chosenSubsteps(system, state);
     const int substeps =
@@ -90,7 +91,7 @@ int Stepper::step(const System& system, State& state)
         }
         task.note = m_tearsByForce || s + meanOver >= substeps;
         task.shifted = s == 0;
-        m_judgesTears = system.tearMesh == TearMesh::Vanish || s + 1 == substeps;
+        m_mayPart = s + 1 == substeps;
         substep(task, state, h);
         ++state.substep;
     }
@@ -252,9 +253,9 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (isBdf2)
         move(ParticlePass::FollowContact, system, state, h);
     m_clock.lap(StepStage::Contact);
-    if (m_judgesTears)
-        tearOverloaded(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
-                       m_tearing);
+    tearOverloaded(system, state,
+                   {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears, m_mayPart},
+                   m_tearing);
     m_clock.lap(StepStage::Tearing);
     m_looksBack = foresees && !impact;
     if (isBdf2 && !m_looksBack && state.substep > 0) { // a run begins so without a blow

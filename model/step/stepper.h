@@ -82,6 +82,9 @@ public:
     // in the last step.
     bool hasSnatch() const { return m_hasSnatch; }
 
+    // By how much more than it holds a line or spar bore that broke in the last step, 1; the most.
+    double lateBreak() const { return m_tearing.late; }
+
     // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
     // for. The first step of a run may be cut finer.
     int substepsOf(const System& system, const State& state) const;
@@ -160,7 +163,7 @@ private:
     std::uint64_t m_valuesSerial = 0;
     bool m_summed = false;       // accelerations were, in this step
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
-    bool m_judgesTears = true;   // in this substep, what breaks
+    bool m_mayPart = true;       // the mesh, after this substep
     bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep
 };
 

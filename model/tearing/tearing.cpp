@@ -167,10 +167,9 @@ void findSparOverloads(const System& system, const State& state, std::vector<Ove
 }
 
 // Springs and rods are gone through as they lie in memory; the links that they are tell the order.
-void findOverloads(const System& system, const State& state, const TearLoads& loads,
-                   const TearTips& tips, std::vector<Overload>& overloads)
+void findLinkOverloads(const System& system, const State& state, const TearLoads& loads,
+                       std::vector<Overload>& overloads)
 {
-    overloads.clear();
     for (const int tearable : system.tearableSprings) {
         const auto i = std::size_t(tearable);
         const Spring& spring = system.springs[i];
@@ -183,8 +182,30 @@ void findOverloads(const System& system, const State& state, const TearLoads& lo
         if (!state.rodTorn[i])
             judge(loadOfRod(state, loads, i), system.rods[i].tear, system.rodLink[i], overloads);
     }
-    findPanelOverloads(system, state, tips, overloads);
-    findSparOverloads(system, state, overloads);
+}
+
+bool isEdge(const System& system, int link)
+{
+    const auto l = std::size_t(link);
+    return system.panelsBeside.start[l] < system.panelsBeside.start[l + 1];
+}
+
+// Whether it is a line or a spar that breaks by what it bears, which no substep makes less true:
+// how far a rod has come before projection is another in each.
+bool breaksAlone(const System& system, const Overload& overload)
+{
+    if (overload.of != Overload::Of::Link)
+        return overload.of == Overload::Of::Spar;
+    const LinkPlace& link = system.links[std::size_t(overload.element)];
+    return !isEdge(system, overload.element)
+           && (link.kind == LinkKind::Spring
+               || system.rods[std::size_t(link.index)].tear.rule == TearRule::Force);
+}
+
+void noteLate(const System& system, const Overload& overload, double& late)
+{
+    if (breaksAlone(system, overload))
+        late = std::max(late, overload.ratio - 1.0);
 }
 
 const Bend& sparOf(const System& system, const Overload& overload)
@@ -259,7 +280,7 @@ void takeHeldOut(const System& system, State& state, std::vector<Overload>& over
 // Breaks at most `most`, and of edges of panels and of panels that share a particle the worst
 // alone: the mesh opens there, and the others are about to lose their load.
 void tearApart(const System& system, State& state, const TearLoads& loads,
-               const std::vector<Overload>& overloads, std::size_t most)
+               const std::vector<Overload>& overloads, std::size_t most, double& late)
 {
     if (overloads.empty())
         return;
@@ -276,6 +297,7 @@ void tearApart(const System& system, State& state, const TearLoads& loads,
         if (most == 0)
             return;
         const auto number = std::size_t(overload.element);
+        noteLate(system, overload, late);
         if (overload.of == Overload::Of::Spar) {
             most -= snap(system, state, sparOf(system, overload));
             continue;
@@ -290,7 +312,7 @@ void tearApart(const System& system, State& state, const TearLoads& loads,
             continue;
         }
         const LinkPlace& link = system.links[number];
-        if (system.panelsBeside.start[number] < system.panelsBeside.start[number + 1]) {
+        if (isEdge(system, overload.element)) {
             if (!takes(std::array{link.a, link.b}))
                 continue;
             std::erase_if(state.tearHolds,
@@ -314,23 +336,33 @@ void tearOverloaded(const System& system, State& state, const TearLoads& loads,
         return;
     const std::size_t most = limited ? std::size_t(system.tearsPerStep) - before
                                      : std::numeric_limits<std::size_t>::max();
+    const bool isOfMesh = !splits || loads.mayPart;
     std::vector<Overload>& overloads = scratch.overloads;
-    scratch.tips.look(system, state);
-    findOverloads(system, state, loads, scratch.tips, overloads);
+    overloads.clear();
+    findLinkOverloads(system, state, loads, overloads);
+    if (isOfMesh) {
+        scratch.tips.look(system, state);
+        findPanelOverloads(system, state, scratch.tips, overloads);
+    }
+    findSparOverloads(system, state, overloads);
+    if (!isOfMesh)
+        std::erase_if(overloads, [&](const Overload& one) { return !breaksAlone(system, one); });
     leaveOneOfLines(system, state, overloads);
-    if (splits)
+    if (splits && isOfMesh)
         takeHeldOut(system, state, overloads);
-    for (const auto& [membrane, ratio] : scratch.tips.overdriven(system, state))
-        overloads.push_back({membrane, ratio, Overload::Of::Panel});
+    if (isOfMesh)
+        for (const auto& [membrane, ratio] : scratch.tips.overdriven(system, state))
+            overloads.push_back({membrane, ratio, Overload::Of::Panel});
     if (limited || splits)
         std::sort(overloads.begin(), overloads.end(), worstFirst);
     else
         std::sort(overloads.begin(), overloads.end(), inOrder);
     if (splits)
-        return tearApart(system, state, loads, overloads, most);
+        return tearApart(system, state, loads, overloads, most, scratch.late);
     std::size_t torn = 0;
     for (std::size_t i = 0; i < overloads.size() && torn < most; ++i) {
         const Overload& overload = overloads[i];
+        noteLate(system, overload, scratch.late);
         switch (overload.of) {
         case Overload::Of::Link:
             tear(system, state, loads, overload.element);

@@ -21,6 +21,7 @@ struct TearLoads
     std::span<const PaddedVec3> springForce; // [springs] N, on end `a`
     std::span<const double> restLength;      // [rods] m
     std::size_t tearsBefore = 0;             // breaks before this time step
+    bool mayPart = true;                     // the mesh, which it does between two time steps
 };
 
 // What a run keeps from one call to the next, so that little is found twice.
@@ -28,6 +29,8 @@ struct TearScratch
 {
     std::vector<Overload> overloads;
     TearTips tips;
+    double late = 0.0; // 1, by how much more than it holds a line or spar bore when it broke, the
+                       // most; the mesh parts late whatever the substep
 };
 
 // Breaks links and panels above their limit (above, not at) and notes the events. A rod is judged
@@ -42,10 +45,11 @@ struct TearScratch
 // it, the most overloaded break first and of equals the first in that order; who is left over is
 // judged again in the next substep, when the breaks have moved the load.
 //
-// Where the mesh is to split instead of losing panels (TearMesh::Split), all are judged once in a
-// time step, after its last substep. The worst break first, and of those that share a particle only
-// one; a link that is the edge of a panel is noted in State::tearHolds, a panel in
-// State::panelHold, for openTears() to part the mesh there (tear_opening.h). What is held is let be
+// Where the mesh is to split instead of losing panels (TearMesh::Split), what it parts by is judged
+// once in a time step, after its last substep; lines and spars are judged in each, as they break
+// alone. The worst break first, and of those that share a particle only one; a link that is the
+// edge of a panel is noted in State::tearHolds, a panel in State::panelHold, for openTears() to
+// part the mesh there (tear_opening.h). What is held is let be
 // until it has been below its limit, or is a quarter farther above it than what tore there was. The
 // latter fades to 1/e in the time that a load needs to go: that in which a pull crosses the
 // element, sqrt(m / k), and the damping time. What still pulls after that tears again.
