@@ -257,8 +257,12 @@ bool Simulation::Private::step()
         int finer = 1;
         if (isTooLong)
             substeps = advanceAgain(keepsLedger, finer = SnatchLoads::finer);
-        for (int enough; (enough = SnatchLoads::finerForBreaks(system(), stepper, finer)) > finer;)
+        for (;;) {
+            const int enough = SnatchLoads::finerForBreaks(system(), run.lastGood, stepper, finer);
+            if (enough == finer)
+                break;
             substeps = advanceAgain(keepsLedger, finer = enough);
+        }
     }
     trouble = findTrouble(system(), run.lastGood, run.now, substeps);
     if (trouble) {

@@ -3,6 +3,7 @@
 #include "forces/spring_force.h"
 #include "measure/diagnostics.h"
 #include "step/inputs.h"
+#include "tearing/tearing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,13 +57,19 @@ bool SnatchLoads::isTooLong(const System& system, const State& before, const Sta
            && taken > mostOfStretch * stretchOf(system, after);
 }
 
-int SnatchLoads::finerForBreaks(const System& system, const Stepper& stepper, int finer)
+int SnatchLoads::finerForBreaks(const System& system, const State& before, const Stepper& stepper,
+                                int finer)
 {
     constexpr double most = 256.0;
-    const double late = stepper.lateBreak() / system.accuracy;
-    if (!(late > 1.0))
+    constexpr double mostWork = 65536.0; // particles, in all substeps of one
+    if (!(stepper.lateBreak() > system.accuracy))
         return finer;
-    return int(std::min(most, std::exp2(std::ceil(std::log2(late * finer)))));
+    const double late = stepper.lateBreak() - mostOverloadOfLines(system, before);
+    if (!(late > system.accuracy))
+        return finer;
+    const double enough = std::exp2(std::ceil(std::log2(late / system.accuracy * finer)));
+    const double worth = std::min(most, mostWork / double(before.position.size()));
+    return std::max(finer, int(std::min(enough, worth)));
 }
 
 double SnatchLoads::stretchOf(const System& system, const State& state)

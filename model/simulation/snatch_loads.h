@@ -39,8 +39,10 @@ public:
 
     // What breaks does so at the end of a substep, and has borne more than it holds by then. In how
     // many each of the last step, which was cut in so many, is to be cut so that lines and spars
-    // break within the accuracy of what they hold, or as many as are worth the wait.
-    static int finerForBreaks(const System& system, const Stepper& stepper, int finer);
+    // break within the accuracy of what they hold; no more than are worth the wait. What bore too
+    // much before the step, as its strength was changed, breaks no sooner in finer ones.
+    static int finerForBreaks(const System& system, const State& before, const Stepper& stepper,
+                              int finer);
 
     // After each step, whether it was too long before it was done again, maybe.
     void note(const System& system, const Stepper& stepper, bool wasTooLong);

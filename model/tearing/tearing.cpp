@@ -62,6 +62,14 @@ Load loadOfSpring(const System& system, const State& state, const TearLoads& loa
             length > 0.0 ? loads.springForce[i].dot(along) / length : 0.0};
 }
 
+double springTension(const System& system, const State& state, std::size_t i) // N, between steps
+{
+    const Spring& spring = system.springs[i];
+    const auto a = std::size_t(spring.a), b = std::size_t(spring.b);
+    return springTension(spring, state.position[b] - state.position[a],
+                         state.velocity[b] - state.velocity[a]);
+}
+
 double releasedEnergy(const System& system, const LinkPlace& link, const Load& load)
 {
     const auto index = std::size_t(link.index);
@@ -190,16 +198,17 @@ bool isEdge(const System& system, int link)
     return system.panelsBeside.start[l] < system.panelsBeside.start[l + 1];
 }
 
-// Whether it is a line or a spar that breaks by what it bears, which no substep makes less true:
-// how far a rod has come before projection is another in each.
+// Whether it is a line that breaks by its force, or a spar. How far a rod has come before
+// projection is another in each substep, so that no finer one makes it more true.
 bool breaksAlone(const System& system, const Overload& overload)
 {
     if (overload.of != Overload::Of::Link)
         return overload.of == Overload::Of::Spar;
     const LinkPlace& link = system.links[std::size_t(overload.element)];
-    return !isEdge(system, overload.element)
-           && (link.kind == LinkKind::Spring
-               || system.rods[std::size_t(link.index)].tear.rule == TearRule::Force);
+    const auto index = std::size_t(link.index);
+    const TearLimit& tear =
+        link.kind == LinkKind::Rod ? system.rods[index].tear : system.springs[index].tear;
+    return tear.rule == TearRule::Force && !isEdge(system, overload.element);
 }
 
 void noteLate(const System& system, const Overload& overload, double& late)
@@ -378,6 +387,26 @@ void tearOverloaded(const System& system, State& state, const TearLoads& loads,
     }
 }
 
+double mostOverloadOfLines(const System& system, const State& state)
+{
+    std::vector<Overload> overloads;
+    const auto bears = [&](double force, const TearLimit& tear, int link) {
+        if (tear.rule == TearRule::Force && force > tear.limit)
+            overloads.push_back({link, force / tear.limit});
+    };
+    for (const int rod : system.tearableRods)
+        if (const auto i = std::size_t(rod); !state.rodTorn[i])
+            bears(state.rodTension[i], system.rods[i].tear, system.rodLink[i]);
+    for (const int spring : system.tearableSprings)
+        if (const auto i = std::size_t(spring); !state.springTorn[i])
+            bears(springTension(system, state, i), system.springs[i].tear, system.springLink[i]);
+    findSparOverloads(system, state, overloads);
+    double most = 0.0;
+    for (const Overload& overload : overloads)
+        noteLate(system, overload, most);
+    return most;
+}
+
 void noteBreak(const System& system, State& state, int number)
 {
     const LinkPlace& link = system.links[std::size_t(number)];
@@ -390,9 +419,7 @@ void noteBreak(const System& system, State& state, int number)
         load.force = state.rodTension[index];
     } else {
         load.restLength = system.springs[index].restLength;
-        load.force = springTension(system.springs[index], b - a,
-                                   state.velocity[std::size_t(link.b)]
-                                       - state.velocity[std::size_t(link.a)]);
+        load.force = springTension(system, state, index);
     }
     const Key key = state.splits.empty() ? link.key : TwinOrigins(state.splits).link(link.key);
     state.tears.push_back({state.time, key, load.length, load.strain(), load.force, 0.5 * (a + b),

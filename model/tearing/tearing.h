@@ -29,8 +29,7 @@ struct TearScratch
 {
     std::vector<Overload> overloads;
     TearTips tips;
-    double late = 0.0; // 1, by how much more than it holds a line or spar bore when it broke, the
-                       // most; the mesh parts late whatever the substep
+    double late = 0.0; // 1, the most by which a line or spar bore more than it holds when it broke
 };
 
 // Breaks links and panels above their limit (above, not at) and notes the events. A rod is judged
@@ -62,6 +61,10 @@ struct TearScratch
 // of their own.
 void tearOverloaded(const System& system, State& state, const TearLoads& loads,
                     TearScratch& scratch);
+
+// The most by which a line that breaks by its force, or a spar, bears more than it holds, 1; 0 where
+// none does.
+double mostOverloadOfLines(const System& system, const State& state);
 
 // Breaks a link between two steps, whatever its limit: by a cut, or as it has lost its panels.
 void breakLink(const System& system, State& state, int link);
