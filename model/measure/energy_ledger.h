@@ -38,7 +38,7 @@ public:
 
     void beforeContact(const System& system, const State& state) override;
     void afterContact(const System& system, const State& state) override;
-    void afterSolve(std::span<const HeldContact> contacts, double reach) override;
+    void afterSolve(std::span<const HeldContact> contacts, double h, double reach) override;
     void afterSubstep(const System& system, const State& state, double h,
                       Integrator integrator) override;
 

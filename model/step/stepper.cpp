@@ -247,7 +247,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     resolveContacts(system, state, m_before, m_placed, h, m_pool, m_touches, m_held);
     for (SubstepWatch* const watch : m_watches) {
         watch->afterContact(system, state);
-        watch->afterSolve(m_rods.contacts(), task.h);
+        watch->afterSolve(m_rods.contacts(), h, task.h);
     }
     keepOnGuides(system, m_before, state);
     if (isBdf2)

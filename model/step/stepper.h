@@ -31,9 +31,12 @@ public:
     virtual ~SubstepWatch() = default;
     virtual void beforeContact(const System&, const State&) {}
     virtual void afterContact(const System&, const State&) {}
-    // Contacts that were solved together with rods, before velocities follow; `reach` as
-    // RodTask::h.
-    virtual void afterSolve(std::span<const HeldContact> /*contacts*/, double /*reach*/) {}
+    // Contacts that were solved together with rods, before velocities follow.
+    //   h      s
+    //   reach  s, as RodTask::h, of their pushes
+    virtual void afterSolve(std::span<const HeldContact> /*contacts*/, double /*h*/,
+                            double /*reach*/)
+    {}
     // Tensions of rods that are solved together are those of the substep.
     //   h           s
     //   integrator  that went so far, any but Auto
