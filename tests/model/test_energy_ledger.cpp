@@ -235,6 +235,27 @@ private slots:
         QVERIFY2(std::abs(lies.work.residual) < 0.01 * mass * g, told(lies.work.residual, 0.0));
     }
 
+    // Two weights on a rope that slide until friction has stopped them lose all that they had by
+    // it, with what a new scene gets.
+    void frictionTakes()
+    {
+        const double mass = 1.0, speed = 3.0; // kg, m/s
+        System system = heavySystem(1.0 / 240.0, Integrator::Auto);
+        system.solver = Solver::Auto;
+        for (const double x : {0.0, 0.1}) {
+            addParticle(system, {x, 0.0, 0.0}, 0.5 * mass);
+            system.start.velocity.back() = {speed, 0.0, 0.0};
+        }
+        addRod(system, 0, 1, 0.1, 1.0 / 20000.0);
+        system.obstacles.push_back(
+            {ColliderShape::Plane, Vec3::Zero(), Vec3::UnitY(), 0.0, Response::Contact, 0.0, 0.4});
+        const Outcome out = fly(system, 2.0);
+        const double had = 0.5 * mass * speed * speed;
+        QVERIFY2(isNear(out.work.contact, -had, 0.01 * had), told(out.work.contact, -had));
+        compareBalance(out);
+        QVERIFY2(std::abs(out.work.residual) < 0.01 * had, told(out.work.residual, 0.0));
+    }
+
     // A spring that tears at rest takes along what it held.
     void tearTakes()
     {

@@ -203,6 +203,29 @@ private slots:
         QVERIFY2(holds ? std::abs(fell) < 1e-3 : fell > 5e-3, told(fell, 0.0));
     }
 
+    // What friction holds stays where it is, however heavy the load on the light particles of a
+    // rope: a weight comes to rest, and has not sunk by a hundredth of a millimetre a second later.
+    void heldRopeDoesNotCreep_data()
+    {
+        QTest::addColumn<double>("ratio"); // of what friction bears
+        for (const double ratio : {0.5, 0.8, 0.97})
+            QTest::addRow("at %g of what friction bears", ratio) << ratio;
+    }
+
+    void heldRopeDoesNotCreep()
+    {
+        QFETCH(double, ratio);
+        const double friction = 0.3, light = 1.0;
+        System system = overCylinder(light, ratio * light * std::exp(friction * pi), friction);
+        Stepper stepper;
+        State state = runWith(stepper, system, 2.0);
+        const double before = state.position.back().y();
+        for (int i = 0; i < 240; ++i)
+            stepper.step(system, state);
+        const double sank = before - state.position.back().y();
+        QVERIFY2(std::abs(sank) < 1e-5, told(sank, 0.0));
+    }
+
     // A chain from a height y to smooth ground, where it lies: with the weight w for each metre and
     // the length s that hangs, the pull along the ground is H = w (s^2 - y^2) / (2 y), and at the
     // top it is H + w y.
