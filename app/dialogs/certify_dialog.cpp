@@ -58,6 +58,18 @@ QString valueText(const CertifiedProbe& probe, bool isShare)
     return readingText(isShare, value, probe.unit, digits);
 }
 
+// An error is one however little it is, where a reading would be said to be nothing.
+QString errorText(const CertifiedProbe& probe, bool isShare)
+{
+    const double error = probe.result.error;
+    const std::string unit = isShare ? "%" : probe.unit;
+    const double shown = isShare ? 100.0 * error : error;
+    if (!(shown > 0.0) || !std::isfinite(shown)
+        || spoken(shown, unit).number != QStringLiteral("0"))
+        return readingText(isShare, error, probe.unit, 2);
+    return Spoken{QLocale().toString(shown, 'g', 2), text(unit)}.text();
+}
+
 } // namespace
 
 CertifyDialog::CertifyDialog(const Document& document, QWidget* parent)
@@ -183,7 +195,7 @@ void CertifyDialog::fill()
         const bool isShare = m_shares.contains(probe.name);
         const QStringList cells{QString::fromStdString(probe.name),
                                 valueText(probe, isShare),
-                                readingText(isShare, result.error, probe.unit, 2),
+                                errorText(probe, isShare),
                                 QLocale().toString(result.digits),
                                 result.converges() ? QLocale().toString(result.order, 'f', 1)
                                                    : QStringLiteral("–"),

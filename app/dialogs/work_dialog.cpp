@@ -64,6 +64,10 @@ void workWithProgress(QWidget* parent, const QString& title,
     look.start(lookEvery);
     loop.exec();
     thread.join();
+    if (parent && bar.isVisible()) { // window managers give the keys to the window below both
+        bar.hide();
+        parent->activateWindow();
+    }
 }
 
 } // namespace ripstop

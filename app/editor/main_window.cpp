@@ -180,6 +180,7 @@ void MainWindow::connectStart()
 void MainWindow::connectParts()
 {
     connect(m_files, &Files::opened, this, &MainWindow::showScene);
+    connect(m_files, &Files::chosen, this, &MainWindow::openAny);
     connect(m_arrivals, &Arrivals::opened, this, &MainWindow::showScene);
     connect(m_keptWork, &KeptWork::opened, this, &MainWindow::showScene);
     connect(m_keptWork, &KeptWork::failed, m_status,
@@ -263,11 +264,10 @@ void MainWindow::dropEvent(QDropEvent* event)
     }
     event->acceptProposedAction();
     // queued, because the program that drops waits for this event, and questions and dialogs stay
-    QTimer::singleShot(0, this,
-                       [this, file = droppedFile(event->mimeData())] { openDropped(file); });
+    QTimer::singleShot(0, this, [this, file = droppedFile(event->mimeData())] { openAny(file); });
 }
 
-void MainWindow::openDropped(const QString& file)
+void MainWindow::openAny(const QString& file)
 {
     if (StudyPanel::isStudy(file))
         openStudy(file);

@@ -77,7 +77,7 @@ protected:
 private:
     MainWindow(Document& document, Selection& selection, Player& player, Memory memory,
                const DrawSettings& drawSettings, Recordings* recordings); // null: its own
-    void openDropped(const QString& file);
+    void openAny(const QString& file);
     void takeOver(MainWindow& before);
     void buildDocks();
     void buildActions();

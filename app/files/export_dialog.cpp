@@ -111,6 +111,12 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
     m_target->setAccessibleName(tr("File"));
     connect(m_target, &QLineEdit::textEdited, this, &ExportDialog::followEnding);
     connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::showPreview);
+    // where a name without a folder goes is to be seen
+    connect(m_target, &QLineEdit::editingFinished, this, [this, folder = QFileInfo(stem).dir()] {
+        if (const QString typed = m_target->text(); QFileInfo(typed).isRelative())
+            m_target->setText(folder.absoluteFilePath(typed));
+        followEnding(m_target->text());
+    });
     for (QDoubleSpinBox* box : {m_from, m_to, m_fps, m_speed})
         connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showPreview);
     for (QSpinBox* box : {m_width, m_height})
@@ -176,12 +182,14 @@ void ExportDialog::layOut()
     m_note->setForegroundRole(QPalette::PlaceholderText);
     m_form->addRow(QString(), m_note);
     m_form->addRow(tr("Fi&le"), file);
+    qobject_cast<QLabel*>(m_form->labelForField(file))->setBuddy(m_target);
     m_form->addRow(tr("F&light"), m_source);
     m_form->addRow(tr("F&rom"), m_from);
     m_form->addRow(tr("&To"), m_to);
     m_form->addRow(tr("R&ate"), m_fps);
     m_form->addRow(tr("&Speed"), m_speed);
     m_form->addRow(tr("Si&ze"), m_size);
+    qobject_cast<QLabel*>(m_form->labelForField(m_size))->setBuddy(m_width);
     m_form->addRow(tr("Show"), m_shown);
     m_form->addRow(QString(), m_transparent);
     m_form->addRow(QString(), m_again);
@@ -196,6 +204,7 @@ void ExportDialog::layOut()
     m_progress->setSizePolicy(policy);
     m_progress->hide();
     m_go = m_buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    m_go->setObjectName(QStringLiteral("go"));
     m_go->setDefault(true);
 
     auto* layout = new QVBoxLayout(this);
@@ -229,7 +238,8 @@ const ExportChoice& ExportDialog::choice() const
 ExportRange ExportDialog::range() const
 {
     const double perSecond = choice().film() ? m_fps->value() / m_speed->value() : m_fps->value();
-    return {m_from->value(), std::max(m_to->value(), m_from->value()), perSecond};
+    const bool isPaced = choice().film() || (choice().mesh() && choice().mesh()->isPaced);
+    return {m_from->value(), std::max(m_to->value(), m_from->value()), perSecond, isPaced};
 }
 
 std::size_t ExportDialog::frames() const
@@ -296,10 +306,16 @@ void ExportDialog::followEnding(const QString& typed)
         return typed.endsWith(choice.ending, Qt::CaseInsensitive);
     };
     m_stem = has(choice()) ? typed.chopped(choice().ending.size()) : typed;
-    if (typed.endsWith(extensionOf(choice()), Qt::CaseInsensitive))
+    const auto isNumbered = [](const QString& name) {
+        return name.contains(QString::fromUtf8(framePlaceholder.data()));
+    };
+    if (typed.endsWith(extensionOf(choice()), Qt::CaseInsensitive)
+        && isNumbered(typed) == isNumbered(choice().ending))
         return;
-    const auto meant = std::ranges::find_if(m_choices, has);
-    if (meant == m_choices.end())
+    // a sequence of files ends as one file of it does, and with more before that
+    const auto meant = std::ranges::max_element(
+        m_choices, {}, [&](const ExportChoice& one) { return has(one) ? one.ending.size() : 0; });
+    if (!has(*meant))
         return;
     m_stem = typed.chopped(meant->ending.size());
     m_format->setCurrentIndex(int(meant - m_choices.begin()));
@@ -335,6 +351,8 @@ QString ExportDialog::whyNot() const
     if (choice().isSeries() && m_to->value() <= m_from->value())
         return tr("The series ends before it begins: make To later than From.");
     const QFileInfo file(target());
+    if (file.completeBaseName().isEmpty())
+        return tr("Give the file a name before its ending.");
     if (!file.dir().exists())
         return tr("There is no folder %1; choose another.")
             .arg(QDir::toNativeSeparators(file.path()));

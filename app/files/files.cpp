@@ -65,10 +65,12 @@ void Files::browse()
 {
     const QString folder =
         m_document.file().isEmpty() ? QString() : QFileInfo(m_document.file()).path();
-    const QString file =
-        QFileDialog::getOpenFileName(&m_window, tr("Open a scene"), folder, sceneFilter());
+    const QString file = QFileDialog::getOpenFileName(
+        &m_window, tr("Open"), folder,
+        tr("Scenes, studies and recordings (*.ripstop.json *.ripstop-study.json *.ripstop-run)")
+            + QStringLiteral(";;") + tr("All files (*)"));
     if (!file.isEmpty())
-        open(file);
+        emit chosen(file);
 }
 
 bool Files::open(const QString& file)

@@ -51,7 +51,8 @@ public:
     static QString sceneFilter();
 
 signals:
-    void opened(); // a scene is there to be looked at
+    void chosen(const QString& file); // a file of any sort that may be opened
+    void opened();                    // a scene is there to be looked at
     void recentChanged();
     void said(const QString& message); // for the status bar
 

@@ -195,7 +195,7 @@ std::vector<Id> addFabrics(Scene& scratch, const PreparedMesh& mesh, const MeshF
     Material material = fabric.material;
     material.arealDensity = density;
     const std::vector<PolygonMesh::Material>& listed = mesh.surfaces.front().mesh.materials;
-    if (!fabric.isPerFileMaterial || listed.size() < 2) {
+    if (!fabric.isPerFileMaterial) {
         material.name = freeName(names, material.name);
         std::set<int> used;
         for (const RepairedMesh& surface : mesh.surfaces)

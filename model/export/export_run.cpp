@@ -1,5 +1,5 @@
 // The range is checked, a sink of the format is opened, and frames are taken from the source one
-// after the other; a frame is never added twice. Finishing the sink is the last fifth of the
+// after the other. Finishing the sink is the last fifth of the
 // progress.
 #include "export/export_run.h"
 
@@ -12,7 +12,7 @@
 
 namespace ripstop {
 
-const Failure exportCancelled{"The export was cancelled and what was written has been removed."};
+const Failure exportCancelled{"Cancelled; what was written has been removed."};
 
 namespace {
 
@@ -42,7 +42,7 @@ std::optional<Failure> exportMoment(FrameSource& source, const MeshAppearance& a
     if (!taken.end.empty())
         return Failure("%1 Nothing was written.", taken.end);
     if (!taken.frame)
-        return Failure{"The export was cancelled; nothing was written."};
+        return Failure{"Cancelled; nothing was written."};
     if (auto failure = writeMoment(*taken.frame, appearance, target))
         return failure;
     if (progress)
@@ -77,14 +77,14 @@ std::optional<Failure> exportSeries(FrameSource& source, const ExportRange& rang
     const auto reached = told(source, range.to, flight);
     const std::size_t count = frameCount(range);
     sink.certify(source.certificate());
-    std::int64_t last = -1; // step; a rate above that of the steps must not repeat frames
+    std::int64_t last = -1; // step
     Message end;
     for (std::size_t i = 0; i < count && end.empty(); ++i) {
         const auto taken = source.take(range.from + double(i) / range.fps, reached);
         end = taken.end;
         if (end.empty() && !(taken.frame && reached(taken.frame->time)))
             return exportCancelled;
-        if (taken.frame && taken.frame->step != last) {
+        if (taken.frame && (range.repeats || taken.frame->step != last)) {
             if (auto failure = sink.add(*taken.frame))
                 return failure;
             last = taken.frame->step;
@@ -109,7 +109,8 @@ std::size_t frameCount(const ExportRange& range)
 std::size_t frameCount(const ExportRange& range, double timeStep)
 {
     ExportRange ofSteps = range;
-    ofSteps.fps = std::min(range.fps, 1.0 / timeStep);
+    if (!range.repeats)
+        ofSteps.fps = std::min(range.fps, 1.0 / timeStep);
     return frameCount(ofSteps);
 }
 
@@ -142,6 +143,7 @@ std::optional<Failure> exportRun(FrameSource& source, const MeshAppearance& appe
         return unknownFormat(target);
     const bool isMoment = format->of == ExportFormat::Of::Moment;
     ExportRange whole = range;
+    whole.repeats = format->isPaced;
     if (isMoment)
         whole.from = whole.to;
     if (auto failure = wrongRange(source, whole))

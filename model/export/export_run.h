@@ -18,10 +18,12 @@ struct ExportRange
     double from = 0.0; // s
     double to = 0.0;   // s; a format of one moment is taken at this time
     double fps = 25.0; // frames per simulated second
+    // At a rate above that of the steps a moment is taken once, or as often as it is asked for, by
+    // what says no times and is played at the rate: a film is as long as it is meant to be.
+    bool repeats = false;
 };
 
-// How many frames the range asks for, and how many there are of steps of `timeStep`, s: none comes
-// twice.
+// How many frames the range asks for, and how many there are of steps of `timeStep`, s.
 std::size_t frameCount(const ExportRange& range);
 std::size_t frameCount(const ExportRange& range, double timeStep);
 

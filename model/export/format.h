@@ -40,6 +40,7 @@ struct ExportFormat
     MomentContent content; // of a moment, and of each file of a sequence
     Result<std::unique_ptr<FrameSink>> (*open)(const std::filesystem::path& target,
                                                const MeshAppearance& appearance); // of other series
+    bool isPaced = false; // says no times, and is played at the rate of the range
 };
 
 std::span<const ExportFormat> exportFormats();

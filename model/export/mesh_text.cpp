@@ -94,7 +94,6 @@ std::string objText(const Surface& surface)
         before.push_back(points);
         points += print.size();
     }
-    const bool isPrinted = points > surface.texture.size();
     if (!surface.panels.empty())
         for (const Vec3& normal : normalsOf(surface))
             appendRow(text, "vn ", normal);
@@ -105,7 +104,7 @@ std::string objText(const Surface& surface)
         if (surface.fabric[i] != fabric) {
             fabric = surface.fabric[i];
             const std::string name = oneWord(surface.fabrics[*fabric].name);
-            text += "g " + name + '\n' + (isPrinted ? "usemtl " + name + '\n' : "");
+            text += "g " + name + '\n' + "usemtl " + name + '\n';
         }
         text += 'f';
         for (const int corner : surface.panels[i]) {
@@ -135,8 +134,7 @@ std::optional<ObjMaterials> objMaterials(const std::filesystem::path& obj,
                                          const MeshAppearance& appearance)
 {
     const auto& fabrics = appearance.fabrics();
-    if (obj.extension() != ".obj"
-        || std::ranges::all_of(fabrics, [](const auto& f) { return f.picture.empty(); }))
+    if (obj.extension() != ".obj" || fabrics.empty())
         return std::nullopt;
     ObjMaterials materials{std::filesystem::path(obj).replace_extension(".mtl"), {}, {}};
     materials.line = "mtllib " + materials.file.filename().string() + '\n';

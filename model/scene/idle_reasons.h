@@ -23,6 +23,7 @@ inline constexpr const char* ownOfLinks = "each of its links has its own";
 inline constexpr const char* physicalCounts =
     "its axial, membrane or shear stiffness counts instead";
 inline constexpr const char* neverTears = "the material never tears; choose what it tears by";
+inline constexpr const char* heldInShape = "rigidity particles hold all its links in shape";
 inline constexpr const char* noAir = "the air density is 0";
 
 } // namespace ripstop::idle

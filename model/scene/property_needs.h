@@ -86,6 +86,7 @@ inline constexpr Need ofSprings = need([](const Around& a) { return a.made.sprin
 inline constexpr Need ofRods = need([](const Around& a) { return a.made.rods > 0; }, idle::onlySprings);
 inline constexpr Need ofCloth = need([](const Around& a) { return a.made.panels > 0 || a.made.links() > a.made.lines; }, "no panel is made of it, and its links are all lines");
 inline constexpr Need ofLines = need([](const Around& a) { return a.made.lines > 0; }, "no link of it has the role line");
+inline constexpr Need bends = need([](const Around& a) { return a.made.held < a.made.links(); }, idle::heldInShape);
 inline constexpr Need ofFabric = need([](const Around& a) { return a.made.threads > 0 || a.made.elasticPanels > 0; }, idle::noThread);
 inline constexpr Need ofShearingFabric = need([](const Around& a) { return a.made.biases > 0 || a.made.elasticPanels > 0; }, idle::noBias);
 inline constexpr Need ofElasticPanels = need([](const Around& a) { return a.made.elasticPanels > 0; }, idle::noElasticPanel);

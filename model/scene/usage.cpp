@@ -1,6 +1,8 @@
 #include "scene/usage.h"
 
 #include <algorithm>
+#include <set>
+#include <unordered_map>
 
 namespace ripstop {
 namespace {
@@ -16,6 +18,49 @@ void count(const Link& link, Use& use)
     use.lines += link.role == LinkRole::Line;
     use.threads += link.role == LinkRole::Thread && link.width > 0.0;
     use.biases += link.role == LinkRole::Bias && link.width > 0.0;
+}
+
+bool isSpar(const Scene& scene, Id material)
+{
+    const auto* found = findItem<Material>(scene, material);
+    return found && found->flexuralRigidity > 0.0;
+}
+
+// A rigidity particle is tied to many particles of spars, by rods of another material that both
+// push and pull. Two that are tied to both ends of each link leave a spar no way to bend.
+void countHeldSpars(const Scene& scene, const Part& part, Usage& usage)
+{
+    constexpr std::size_t many = 5;
+    std::set<Id> spars; // materials
+    for (const Entry& entry : scene.items)
+        if (isSpar(scene, entry.id) && usage.ofMaterial.contains(entry.id))
+            spars.insert(entry.id);
+    std::unordered_map<std::uint32_t, std::set<Id>> ties; // of particles of spars, to others
+    for (const Link& link : part.links)
+        if (spars.contains(link.material))
+            for (const Id end : {link.from, link.to})
+                ties[std::uint32_t(end)];
+    if (ties.empty())
+        return;
+    std::unordered_map<std::uint32_t, std::size_t> tied; // particles of spars, by what holds them
+    for (const Link& link : part.links) {
+        if (link.kind != LinkKind::Rod || link.resists != Resists::Both
+            || spars.contains(link.material))
+            continue;
+        for (const auto& [spar, other] : {std::pair(link.from, link.to), {link.to, link.from}})
+            if (const auto at = ties.find(std::uint32_t(spar)); at != ties.end())
+                tied[std::uint32_t(other)] += at->second.insert(other).second;
+    }
+    for (const Link& link : part.links) {
+        if (!spars.contains(link.material))
+            continue;
+        const std::set<Id>& a = ties[std::uint32_t(link.from)];
+        const std::set<Id>& b = ties[std::uint32_t(link.to)];
+        const auto holds = [&](Id one) {
+            return b.contains(one) && tied[std::uint32_t(one)] >= many;
+        };
+        usage.ofMaterial[link.material].held += std::ranges::count_if(a, holds) >= 2;
+    }
 }
 
 } // namespace
@@ -40,6 +85,7 @@ Usage usageOf(const Scene& scene)
             ++at(panel.material).panels;
             at(panel.material).elasticPanels += isElastic;
         }
+        countHeldSpars(scene, part, usage);
         usage.ofAll.panels += part.panels.size();
         usage.ofAll.elasticPanels += isElastic ? part.panels.size() : 0;
     });

@@ -25,6 +25,7 @@ struct Use
     std::size_t lines = 0;         // links with the role line
     std::size_t threads = 0;       // links with the role thread and a width
     std::size_t biases = 0;        // links with the role bias and a width
+    std::size_t held = 0;          // links of spars that rigidity particles hold in shape
 
     std::size_t links() const { return springs + rods; }
 };

@@ -360,10 +360,26 @@ std::string colorOf(std::string_view line)
     return color;
 }
 
-// The file of a texture; where it has options, that is the last word, and has no spaces in it.
-std::string pictureOf(const std::string& texture)
+// The file of a texture, which may have spaces in its name, after options and their values:
+// numbers, of which there may be up to three, or one word (Wavefront, "Object Files"). Folders as
+// Windows has them count.
+std::string pictureOf(std::string_view texture)
 {
-    return texture.starts_with('-') ? texture.substr(texture.find_last_of(" \t") + 1) : texture;
+    while (texture.starts_with('-')) {
+        const std::string_view option = takeWord(texture);
+        double number = 0.0;
+        std::string_view ahead = texture;
+        const bool hasNumbers = readNumber(takeWord(ahead), number);
+        texture = ahead; // its first value
+        const int most = option == "-o" || option == "-s" || option == "-t" ? 3
+                         : option == "-mm"                                  ? 2
+                                                                            : 1;
+        for (int i = 1; hasNumbers && i < most && readNumber(takeWord(ahead), number); ++i)
+            texture = ahead;
+    }
+    std::string file = rest(texture);
+    std::ranges::replace(file, '\\', '/');
+    return file;
 }
 
 } // namespace

@@ -3,9 +3,10 @@
 //
 // In order: a strip of parachute nylon, as in the test of its strength (RF-27); a slit in a sheet,
 // which runs at the load of fracture mechanics (T-T6); a carbon rod that is bent far until it snaps
-// (T-T7).
+// (T-T7); a line that a falling weight jerks (T-T8).
 #include "compile/compile.h"
 #include "materials/presets.h"
+#include "simulation/simulation.h"
 #include "verify/by_default.h"
 #include "verify/flat_cloth.h"
 #include "verify/slit_sheet.h"
@@ -171,6 +172,43 @@ void addSnappedRods(std::vector<Case>& cases)
         }
 }
 
+// --- a line --------------------------------------------------------------------------------------
+
+// N, of a line of 2 m that 2 kg jerk after a fall of 1 m, with twice of what its knots bear.
+double loadAtBreak(int links, double timeStep)
+{
+    Scene scene;
+    scene.settings.airDensity = 0.0;
+    scene.settings.timeStep = timeStep;
+    const Id cord = addItem(scene, fromLibrary("dyneema_1"));
+    Network network(scene, "line");
+    const Id from = network.particle({0.0, 0.0, 0.0}), to = network.particle({2.0, 0.0, 0.0});
+    network.line(from, to, links, 0.00114, cord, Resists::Tension); // kg, of the line
+    network.row(from).pinned = true;
+    network.row(to).mass = 2.0;
+    for (Particle& particle : network.part().particles) // slack, as far as it then falls
+        particle.position = {0.0, -0.5 * particle.position.x(), 0.0};
+    network.finish({}, {});
+    Simulation simulation(*compile(scene));
+    while (simulation.state().tears.empty())
+        if (!simulation.step() || simulation.state().time > 1.0)
+            return std::numeric_limits<double>::quiet_NaN();
+    return simulation.state().tears[0].force;
+}
+
+void addJerkedLines(std::vector<Case>& cases)
+{
+    for (const int links : {1, 8})
+        for (const double rate : {120.0, 240.0, 480.0})
+            cases.push_back({"T-T8",
+                             "line of 1 mm Dyneema, " + std::to_string(links)
+                                 + (links == 1 ? " link" : " links") + ", jerked by 2 kg, "
+                                 + digits(rate, 3) + " steps a second, breaks at",
+                             0.6 * 785.0, relative(0.01), "N",
+                             "its strength, 785 N, x 0.6 of knots",
+                             [=] { return loadAtBreak(links, 1.0 / rate); }});
+}
+
 } // namespace
 
 std::vector<Case> strengthCases()
@@ -179,6 +217,7 @@ std::vector<Case> strengthCases()
     addTestStrips(cases);
     addSlitSheets(cases);
     addSnappedRods(cases);
+    addJerkedLines(cases);
     return cases;
 }
 

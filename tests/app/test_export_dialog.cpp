@@ -18,6 +18,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 namespace ripstop::test_export_dialog {
@@ -170,6 +171,27 @@ private slots:
         QTest::keyClicks(file, shop.folder.filePath("sail.OBJ"));
         QCOMPARE(shop.dialog->ending(), ".obj");
         QCOMPARE(file->text(), shop.folder.filePath("sail.OBJ"));
+        // a sequence has the ending of one mesh
+        file->selectAll();
+        QTest::keyClicks(file, shop.folder.filePath("sail_{frame}.obj"));
+        QCOMPARE(box->currentText(), "Sequence of OBJ files");
+        QCOMPARE(file->text(), shop.folder.filePath("sail_{frame}.obj"));
+    }
+
+    // A name without a folder is one beside the design, and is shown so; none is no name.
+    void namesAreWhole()
+    {
+        ExportShop shop;
+        shop.open(false);
+        auto* file = shop.dialog->findChild<QLineEdit*>();
+        file->selectAll();
+        QTest::keyClicks(file, "sail.glb");
+        QTest::keyClick(file, Qt::Key_Tab);
+        QCOMPARE(file->text(), shop.folder.filePath("sail.glb"));
+        file->selectAll();
+        QTest::keyClicks(file, shop.folder.filePath(""));
+        QTest::keyClick(file, Qt::Key_Tab);
+        QVERIFY(!shop.dialog->findChild<QPushButton*>("go")->isEnabled());
     }
 
     // The fields know where the recording begins and ends; every frame is one that was flown.

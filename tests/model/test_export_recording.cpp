@@ -116,6 +116,32 @@ private slots:
         QVERIFY(late && late->message.english().find("the run ends at") != std::string::npos);
     }
 
+    // What says no times is played at the rate of the range, and is as long as was asked for: of a
+    // rate above that of the steps moments come again.
+    void repeatsWhatIsPlayed()
+    {
+        RecordedFrames source(flown(*build(*findBuilder("hang_glider"), {}), 60));
+        ExportRange range{0.0, 0.1, 1000.0, true};
+        QCOMPARE(frameCount(range, source.timeStep()), std::size_t(101));
+        const Kept kept = framesOf(source, range);
+        QCOMPARE(kept.frames.size(), std::size_t(101));
+        for (std::size_t i = 0; i < kept.frames.size(); ++i)
+            QVERIFY(std::abs(kept.frames[i]->time - double(i) / range.fps) <= source.timeStep());
+
+        QTemporaryDir folder;
+        const MeshAppearance appearance(*build(*findBuilder("hang_glider"), {}));
+        const auto samplesOf = [&](const char* name) {
+            const QString target = folder.filePath(name);
+            if (exportRun(source, appearance, {0.0, 0.1, 1000.0}, target.toStdString()))
+                return qint64(-1);
+            QFile file(target);
+            return file.open(QIODevice::ReadOnly) ? file.size() : qint64(-1);
+        };
+        const qint64 cache = samplesOf("glider.pc2");
+        const qint64 points = kept.frames[0]->position.size();
+        QCOMPARE(cache, 32 + 101 * points * 12); // bytes: its head, and three floats a vertex
+    }
+
     // The command line: the same table from the recording as from the scene, to what is kept.
     void commandLine()
     {

@@ -199,6 +199,26 @@ private slots:
         }
     }
 
+    // An OBJ has the colours of its fabrics, with and without a picture.
+    void exportsHaveTheColours()
+    {
+        const QTemporaryDir folder;
+        Scene scene = sheet("");
+        for (Entry& entry : scene.items)
+            if (auto* material = std::get_if<Material>(&entry.item))
+                material->color = "#ff0000";
+        const auto compiled = compile(scene);
+        QVERIFY(compiled);
+        const QString obj = folder.filePath("sail.obj");
+        QVERIFY(
+            !writeMoment(*Simulation(*compiled).frame(), MeshAppearance(scene), obj.toStdString()));
+        QVERIFY(content(obj).startsWith("mtllib sail.mtl\n"));
+        QVERIFY(content(obj).contains("\nusemtl sail\n"));
+        const QByteArray materials = content(folder.filePath("sail.mtl"));
+        QVERIFY2(materials.contains("newmtl sail\nKd 1 0 0\n"), materials);
+        QVERIFY(!materials.contains("map_Kd"));
+    }
+
     void exportsHaveThePicture()
     {
         const QTemporaryDir folder;

@@ -148,18 +148,18 @@ private slots:
     void pictures()
     {
         QVERIFY(QDir(m_folder.path()).mkpath("art"));
-        const std::string picture =
-            write("art/my sail.png", "what is in it is not looked at").toStdString();
-        const QString other = write("art/other.png", "");
+        const std::string picture = write("art/my sail.png", "not looked at").toStdString();
+        const std::string other = write("art/two sails.png", "").toStdString();
         write("flag.mtl", "newmtl a\nKd 1 0 0\nmap_Kd art/my sail.png\n"
-                          "newmtl b\nmap_Kd -s 2 2 1 art/other.png\nnewmtl c\nmap_Kd no.png\n");
+                          "newmtl b\nmap_Kd -s 2 2 -clamp on .\\art\\two sails.png\n"
+                          "newmtl c\nmap_Kd no.png\n");
         const PolygonMesh flag =
             fileOf("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                                "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 3/3 2/2 1/1\n"
                                "usemtl c\nf 1/1 3/3 2/2\n");
         QCOMPARE(flag.materials[0].color, std::string("#ff0000"));
         QCOMPARE(flag.materials[0].picture, picture);
-        QCOMPARE(flag.materials[1].picture, other.toStdString());
+        QCOMPARE(flag.materials[1].picture, other);
         QCOMPARE(flag.materials[2].picture, std::string());
         QCOMPARE(flag.missingFiles, std::vector<std::string>{"no.png"});
         QCOMPARE(preparedOf(flag).report.findings().at(0).name, "no.png");

@@ -423,6 +423,12 @@ private slots:
         QCOMPARE(nameOf(*findItem(scene, part.panels[0].material)), "red");
         QCOMPARE(nameOf(*findItem(scene, part.panels[1].material)), "blue");
         QVERIFY(problemsOf(scene).empty());
+
+        PolygonMesh lone = meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl red\nf 1 2 3\n");
+        readMtl("newmtl red\nKd 1 0 0\n", lone);
+        const Material made = materialsOf(sceneOf(preparedOf(lone), fabric)).at(0);
+        QCOMPARE(made.name, "red");
+        QCOMPARE(made.color, "#ff0000");
     }
 
     void theEditIsOneStepAndBack()

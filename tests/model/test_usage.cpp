@@ -4,6 +4,7 @@
 // A small scene with one element of each kind is asked for each row why a value is idle; then
 // values are changed, and the answers have to follow: own values in place of the material's,
 // paths, air, and what an edit makes anew.
+#include "builders/builder.h"
 #include "registered_test.h"
 #include "scene/items.h"
 #include "scene/path.h"
@@ -62,6 +63,19 @@ class TestUsage : public QObject
     Q_OBJECT
 
 private slots:
+    // Kites keep their shape by rigidity particles, so that no spar of theirs bends; a spar of its
+    // own does.
+    void rigidityHoldsSpars()
+    {
+        const auto reason = [](const char* builder, const char* name) {
+            const Scene scene = *build(*findBuilder(builder), newDesign(*findBuilder(builder)));
+            return why(scene, *findNamed(scene, Kind::Material, name), "flexuralRigidity");
+        };
+        for (const char* kite : {"delta_kite", "rectangular_kite"})
+            QVERIFY2(says(reason(kite, "spar"), "rigidity particles"), kite);
+        QVERIFY(!reason("hang_glider", "tube"));
+    }
+
     // Which values a designer changes without effect, and which with one.
     void values_data()
     {

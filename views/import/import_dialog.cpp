@@ -294,7 +294,7 @@ void ImportDialog::take(std::shared_ptr<const ImportOutcome> outcome)
     m_outcome = std::move(outcome);
     m_form->follow(*m_outcome);
     if (!m_outcome->refusal.isEmpty())
-        m_preview->setHint(m_outcome->refusal);
+        m_preview->setHint(tr("There is nothing to show."));
     if (!m_outcome->mesh || m_outcome->mesh != m_shown) { // else the camera and the marks stay
         m_shown = m_outcome->mesh;
         m_preview->setMesh(m_shown);

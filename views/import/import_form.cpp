@@ -99,7 +99,10 @@ ImportForm::ImportForm(const Scene& scene, QWidget* parent)
     });
     connect(m_flip, &QCheckBox::toggled, this, &ImportForm::changed);
     connect(m_parts, &QComboBox::currentIndexChanged, this, &ImportForm::changed);
-    connect(m_perMaterial, &QCheckBox::toggled, this, &ImportForm::changed);
+    connect(m_perMaterial, &QCheckBox::toggled, this, [this] {
+        m_ownPerMaterial = true;
+        emit changed();
+    });
     connect(m_density, &QDoubleSpinBox::valueChanged, this, &ImportForm::changed);
     connect(m_material, &QComboBox::currentIndexChanged, this, [this] {
         takeMaterial();
@@ -269,7 +272,7 @@ void ImportForm::takeMaterial()
 
 bool ImportForm::mayColor() const
 {
-    return m_fileMaterials > 1
+    return m_fileMaterials > 0
            && m_choices[std::size_t(m_material->currentData().toInt())].existing == noId;
 }
 
@@ -320,6 +323,26 @@ void ImportForm::startFile(const QString& file)
 {
     m_name->setText(QFileInfo(file).completeBaseName());
     m_ownWeld = false;
+    m_ownPerMaterial = false;
+    showWeld(false);
+}
+
+// Several in a file are wanted as they are; one alone has its picture in any case.
+void ImportForm::choosePerMaterial()
+{
+    const bool isWanted = m_fileMaterials > 1;
+    if (m_ownPerMaterial || m_perMaterial->isChecked() == isWanted)
+        return;
+    const QSignalBlocker quiet(m_perMaterial);
+    m_perMaterial->setChecked(isWanted);
+    emit changed();
+}
+
+// Nothing is known of the places of vertices before the file is read.
+void ImportForm::showWeld(bool isKnown)
+{
+    m_weld->setEnabled(isKnown);
+    m_weld->setSpecialValueText(isKnown || m_weld->value() > 0.0 ? QString() : QStringLiteral("–"));
 }
 
 void ImportForm::follow(const ImportOutcome& outcome)
@@ -332,15 +355,21 @@ void ImportForm::follow(const ImportOutcome& outcome)
         if (outcome.isUpright)
             m_up->setCurrentIndex(int(UpAxis::Y));
         m_fileMaterials = outcome.materials;
-        m_perMaterial->setText(m_fileMaterials > 1
-                                   ? tr("One for each of %1 in the file").arg(m_fileMaterials)
+        m_perMaterial->setText(
+            m_fileMaterials > 1 ? tr("One for each of %1 in the file")
+                                      .arg(QLocale().toString(qulonglong(m_fileMaterials)))
+            : m_fileMaterials == 1 ? tr("With the name and colour of that in the file")
                                    : tr("One for each of the file"));
         m_perMaterial->setEnabled(mayColor());
+        choosePerMaterial();
         m_parts->setEnabled(outcome.objects > 1);
         m_parts->setItemText(1, outcome.objects > 1
                                     ? tr("One for each of %1 objects").arg(outcome.objects)
                                     : tr("One for each object"));
     }
+    setEnabled(outcome.isRead);
+    if (outcome.isRead)
+        showWeld(true);
     if (!outcome.mesh) {
         m_joined->clear();
         return;

@@ -43,6 +43,8 @@ private:
     void takeMaterial();   // shows the density of the chosen material
     bool mayColor() const; // whether one material may be made for each material of the file
     bool wantsSize() const;
+    void choosePerMaterial();
+    void showWeld(bool isKnown);
 
     struct Choice // in the list of materials
     {
@@ -67,8 +69,9 @@ private:
 
     std::vector<Choice> m_choices;
     bool m_ownWeld = false;           // typed, not by itself
-    bool m_ownCarrier = false;        // chosen, not by itself
-    std::array<bool, 3> m_ownStyle{}; // chosen, not by itself
+    bool m_ownPerMaterial = false;    // chosen, not by itself
+    bool m_ownCarrier = false;        // the same
+    std::array<bool, 3> m_ownStyle{}; // the same
     bool m_unitIsKnown = false;
     std::size_t m_fileMaterials = 0; // that faces have
     QFormLayout* m_shapeRows = nullptr;

@@ -63,7 +63,10 @@ bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress&
     outcome.unit = read.unit;
     outcome.isUpright = read.isUpright;
     outcome.objects = std::set(read.object.begin(), read.object.end()).size();
-    outcome.materials = std::set(read.material.begin(), read.material.end()).size();
+    const std::set used(read.material.begin(), read.material.end());
+    const PolygonMesh::Material& first = read.materials[std::size_t(*used.begin())];
+    const bool isNameless = first.name.empty() && first.color.empty();
+    outcome.materials = used.size() == 1 && isNameless ? 0 : used.size();
     if (!m_kept.mesh || !(m_kept.shape == wish.shape)) {
         m_kept.mesh = nullptr;
         Result<PreparedMesh> mesh = prepared(read, wish.shape, stageOf(progress, 0.4, 0.7));

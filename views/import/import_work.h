@@ -38,7 +38,7 @@ struct ImportOutcome
     std::optional<double> unit;               // m, that the file says
     bool isUpright = false;                   // the file says which way is up
     std::size_t objects = 0;                  // with faces
-    std::size_t materials = 0;                // that faces have
+    std::size_t materials = 0;                // that faces have; none where the file tells of none
     std::shared_ptr<const PreparedMesh> mesh; // or null
     MeshImport made;
     FabricKind carrier = FabricKind::Panels; // as chosen, or by default, as is the weave

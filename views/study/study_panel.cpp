@@ -432,9 +432,11 @@ void StudyPanel::showState()
         showProgress(m_runner->flown(), 1.0);
     else
         showProgress(double(tally.flown) + (task == Task::Flying ? underWay : 0.0), all);
-    m_progress->setFormat(isSearch      ? tr("%1 flown along the tear line").arg(tally.flown)
-                          : isOptimised ? tr("%1 of up to %2 flown").arg(tally.flown).arg(all)
-                                        : tr("%1 of %2 flown").arg(tally.flown).arg(all));
+    const QString flown = QLocale().toString(qulonglong(tally.flown));
+    m_progress->setFormat(isSearch ? tr("%1 flown along the tear line").arg(flown)
+                          : isOptimised
+                              ? tr("%1 of up to %2 flown").arg(flown, QLocale().toString(all))
+                              : tr("%1 of %2 flown").arg(flown, QLocale().toString(all)));
     if (task == Task::Opening)
         return m_state->setText(tr("Opening…"));
     if (task == Task::Watching)
