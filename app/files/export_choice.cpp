@@ -41,9 +41,11 @@ std::vector<std::filesystem::path> filesOf(const ExportChoice& choice, const QSt
     return files;
 }
 
+// What has no ending is a folder.
 QString nameOf(const std::filesystem::path& file)
 {
-    return QString::fromStdString(file.filename().string());
+    const QString name = QString::fromStdString(file.filename().string());
+    return file.has_extension() ? name : tr("the folder %1").arg(name);
 }
 
 // "a.obj", "a.pc2 and a.obj", "a_0000.obj to a_0250.obj", "a.obj, and its materials in a.mtl"

@@ -126,6 +126,8 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
                && m_contacts.isSettled(leftByNewton * m_accuracy, taken);
         share = near ? 1.0 : goDown(before, pool);
         near &= m_contacts.follow(rowsThatMove(), m_mass, m_position);
+        if (near)
+            near = !m_contacts.holdHarder();
     }
 
     if (share < 1.0 && !m_contacts.empty()) // the balance of contacts was not found

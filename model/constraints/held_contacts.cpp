@@ -11,9 +11,10 @@ namespace {
 
 constexpr double unseen = 1e-4;        // of the inverse mass: the softness of a surface
 constexpr double nearEnough = 1e-7;    // m
+constexpr double seenWay = 1e-8;       // m, in a substep; it adds up to a millimetre in minutes
+constexpr double heldWay = 1e-10;      // m, that what is held harder gives way by, at the most
 constexpr double turnsBack = 1e-9;     // m, of what slides, that is as good as rest
 constexpr double nearlySlides = 0.005; // of what friction can take
-constexpr int mostTurns = 1;
 constexpr std::size_t surfacesEach = 2;
 
 Vec3 at(std::span<const Row> rows, std::uint32_t row)
@@ -24,6 +25,13 @@ Vec3 at(std::span<const Row> rows, std::uint32_t row)
 Vec3 along(const HeldContact& contact, const Vec3& vector)
 {
     return vector - vector.dot(contact.normal) * contact.normal;
+}
+
+// What sticks may take, kg m: each time that it has slid and come to rest a little more, as what it
+// neither slides nor sticks by for long is found by neither.
+double mayHold(const HeldContact& contact)
+{
+    return (1.0 + nearlySlides * std::exp2(2 * contact.turns)) * contact.most;
 }
 
 void measureAt(HeldContact& contact, const Vec3& position)
@@ -55,7 +63,7 @@ void HeldContacts::take(HeldContact& contact, double mass, const Vec3& guess)
     contact.isNew = false;
     contact.isFirst = true;
     contact.inverseMass = 1.0 / mass;
-    contact.softness = unseen / mass;
+    contact.softness = contact.hold = unseen / mass;
     measureAt(contact, guess);
     contact.multiplier = contact.before = mass * std::max(contact.depth, 0.0);
     contact.rub = -mass * contact.slip;
@@ -117,18 +125,16 @@ void HeldContacts::decide(HeldContact& contact)
         contact.sticks = false;
         contact.against = contact.slip.normalized();
     }
-    contact.most = contact.share * contact.friction * std::max(contact.multiplier, 0.0);
+    contact.most = contact.friction * std::max(contact.multiplier, 0.0);
     const double rub = contact.rub.norm();
-    if (contact.sticks && rub > (1.0 + nearlySlides) * contact.most) {
+    if (contact.sticks && rub > mayHold(contact)) {
         contact.sticks = false;
         contact.against = -contact.rub / rub;
     } else if (!contact.sticks) {
         const double way = contact.slip.dot(contact.against);
-        if (way < -turnsBack && contact.turns++ < mostTurns) {
+        if (way < -turnsBack) {
             contact.sticks = true;
-        } else if (way < -turnsBack) { // it hardly sticks: so much friction as does not drive it
-            contact.share *= 0.5;
-            contact.most *= 0.5;
+            ++contact.turns;
         } else if (way > turnsBack) {
             contact.against = contact.slip.normalized();
         }
@@ -138,27 +144,27 @@ void HeldContacts::decide(HeldContact& contact)
 
 Mat3 HeldContacts::stiffnessOf(const HeldContact& contact)
 {
-    const double stiff = 1.0 / contact.softness;
     const Vec3& n = contact.normal;
+    const Mat3 across = n * n.transpose();
+    const Mat3 into = across / contact.softness;
     if (contact.friction == 0.0)
-        return stiff * n * n.transpose();
+        return into;
+    const double holds = 1.0 / contact.hold;
     if (contact.sticks)
-        return stiff * Mat3::Identity();
-    const double across = std::min(stiff, contact.most / std::max(contact.slip.norm(), 1e-12));
-    return stiff * n * n.transpose()
-           + across
-                 * (Mat3::Identity() - n * n.transpose()
-                    - contact.against * contact.against.transpose());
+        return into + holds * (Mat3::Identity() - across);
+    const double aside = std::min(holds, contact.most / std::max(contact.slip.norm(), 1e-12));
+    return into
+           + aside * (Mat3::Identity() - across - contact.against * contact.against.transpose());
 }
 
 Vec3 HeldContacts::pullOf(const HeldContact& contact)
 {
-    const double stiff = 1.0 / contact.softness;
-    const Vec3 push = stiff * contact.depth * contact.normal;
+    const Vec3 push = contact.depth / contact.softness * contact.normal;
     if (contact.friction == 0.0)
         return push;
     return push
-           - (contact.sticks ? Vec3(stiff * contact.slip) : Vec3(contact.most * contact.against));
+           - (contact.sticks ? Vec3(contact.slip / contact.hold)
+                             : Vec3(contact.most * contact.against));
 }
 
 void HeldContacts::foresee(std::span<const Row> move)
@@ -173,9 +179,8 @@ void HeldContacts::foresee(std::span<const Row> move)
         contact.multiplier = (contact.depth - way.dot(contact.normal)) / contact.softness;
         if (contact.friction == 0.0)
             continue;
-        contact.rub = contact.sticks
-                          ? Vec3(-(contact.slip + along(contact, way)) / contact.softness)
-                          : Vec3(-contact.most * contact.against);
+        contact.rub = contact.sticks ? Vec3(-(contact.slip + along(contact, way)) / contact.hold)
+                                     : Vec3(-contact.most * contact.against);
     }
 }
 
@@ -213,7 +218,7 @@ double HeldContacts::energy() const
         twice += contact.depth * contact.depth / contact.softness;
         if (!contact.acts || contact.friction == 0.0)
             continue;
-        twice += contact.sticks ? contact.slip.squaredNorm() / contact.softness
+        twice += contact.sticks ? contact.slip.squaredNorm() / contact.hold
                                 : 2.0 * contact.most * contact.slip.norm();
     }
     return twice;
@@ -240,7 +245,7 @@ bool HeldContacts::isSettled(double accuracy, int iteration) const
             return false;
         if (!contact.acts || contact.friction == 0.0 || iteration >= enoughForFriction)
             continue;
-        const double may = contact.share * contact.friction * std::max(contact.multiplier, 0.0);
+        const double may = contact.friction * std::max(contact.multiplier, 0.0);
         const double rub = contact.rub.norm();
         all += may * may;
         const double wrong = contact.sticks ? std::max(rub - may, 0.0)
@@ -249,6 +254,23 @@ bool HeldContacts::isSettled(double accuracy, int iteration) const
         off += wrong * wrong;
     }
     return off <= coarser * coarser * accuracy * accuracy * all;
+}
+
+bool HeldContacts::holdHarder()
+{
+    const auto isSoft = [](const HeldContact& contact) {
+        return contact.holds() && contact.sticks && contact.most > 0.0
+               && contact.hold == contact.softness;
+    };
+    const auto isSeen = [&](const HeldContact& contact) {
+        return isSoft(contact) && contact.slip.norm() > seenWay;
+    };
+    if (std::ranges::none_of(m_contacts, isSeen))
+        return false;
+    for (HeldContact& contact : m_contacts)
+        if (isSoft(contact))
+            contact.hold = std::min(contact.softness, heldWay / contact.most);
+    return true;
 }
 
 bool HeldContacts::hasImpact() const

@@ -15,9 +15,11 @@
 //
 // Friction is Coulomb's, with the way u along the surface in this substep: a particle sticks, as if
 // u were held by the same s, until that takes more than friction times the normal force; then it
-// slides against so much. The normal force in this bound is that of the iteration before (lagged,
-// as Li et al. 2020, Incremental Potential Contact, do it), so the matrix stays symmetric, and
-// iterations go on until it hardly changes.
+// slides against so much. Under loads by which u would be seen to grow from substep to substep, as
+// of a heavy weight on a light rope, what sticks is held harder when all else is found. The normal
+// force in this bound is that of the iteration before (lagged, as Li et al. 2020, Incremental
+// Potential Contact, do it), so the matrix stays symmetric, and iterations go on until it hardly
+// changes.
 //
 // Where planes are is asked of the surface again after each iteration, as are particles that came
 // into a surface with it: particles follow what is round.
@@ -49,6 +51,7 @@ struct HeldContact
 
     double inverseMass = 0.0;    // 1/kg
     double softness = 0.0;       // 1/kg, s above
+    double hold = 0.0;           // 1/kg, the same of friction, where it sticks
     bool acts = false;           // in this iteration
     bool sticks = true;          // if it acts
     int turns = 0;               // how often it has slid and come to rest
@@ -127,6 +130,10 @@ public:
     // what the normal forces allow within ten times `accuracy`; after a few iterations that is left
     // as it is.
     bool isSettled(double accuracy, int iteration) const;
+
+    // Holds all that sticks harder, where some of it has given way by more than may add up over
+    // substeps; each contact once. Whether there was any, so that another iteration is due.
+    bool holdHarder();
 
     // Whether a particle came in at a speed.
     bool hasImpact() const;

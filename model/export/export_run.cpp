@@ -12,7 +12,7 @@
 
 namespace ripstop {
 
-const Failure exportCancelled{"Cancelled; what was written has been removed."};
+const Failure exportCancelled{"It was cancelled; what was written has been removed."};
 
 namespace {
 
@@ -42,7 +42,7 @@ std::optional<Failure> exportMoment(FrameSource& source, const MeshAppearance& a
     if (!taken.end.empty())
         return Failure("%1 Nothing was written.", taken.end);
     if (!taken.frame)
-        return Failure{"Cancelled; nothing was written."};
+        return Failure{"It was cancelled; nothing was written."};
     if (auto failure = writeMoment(*taken.frame, appearance, target))
         return failure;
     if (progress)

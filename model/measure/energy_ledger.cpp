@@ -111,7 +111,7 @@ void EnergyLedger::afterContact(const System& system, const State& state)
 void EnergyLedger::afterSolve(std::span<const HeldContact> contacts, double h, double reach)
 {
     for (const HeldContact& contact : contacts)
-        m_contact[std::size_t(contact.particle)] += (h * 0.0 + 1.0) / reach * contact.push();
+        m_contact[std::size_t(contact.particle)] += h / (reach * reach) * contact.push();
 }
 
 void EnergyLedger::afterSubstep(const System& system, const State& state, double h,

@@ -365,7 +365,11 @@ std::string colorOf(std::string_view line)
 // Windows has them count.
 std::string pictureOf(std::string_view texture)
 {
-    while (texture.starts_with('-')) {
+    const auto isOption = [&] {
+        std::string_view ahead = texture;
+        return takeWord(ahead).starts_with('-');
+    };
+    while (isOption()) {
         const std::string_view option = takeWord(texture);
         double number = 0.0;
         std::string_view ahead = texture;

@@ -186,9 +186,11 @@ double loadAtBreak(int links, double timeStep)
     network.line(from, to, links, 0.00114, cord, Resists::Tension); // kg, of the line
     network.row(from).pinned = true;
     network.row(to).mass = 2.0;
-    for (Particle& particle : network.part().particles) // slack, as far as it then falls
-        particle.position = {0.0, -0.5 * particle.position.x(), 0.0};
     network.finish({}, {});
+    for (Entry& entry : scene.items)
+        if (auto* part = std::get_if<Part>(&entry.item))
+            for (Particle& particle : part->particles) // it is slack
+                particle.position = {0.0, -0.5 * particle.position.x(), 0.0};
     Simulation simulation(*compile(scene));
     while (simulation.state().tears.empty())
         if (!simulation.step() || simulation.state().time > 1.0)

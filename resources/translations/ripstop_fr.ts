@@ -2389,6 +2389,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>ripstop-cli run --controls la refait, dans ce modèle ou un autre.</translation>
     </message>
     <message>
+        <location filename="export_choice.cpp"/>
+        <source>the folder %1</source>
+        <translation>le dossier %1</translation>
+    </message>
+    <message>
         <location filename="export_dialog.cpp"/>
         <source> per s</source>
         <translation> par s</translation>
@@ -2462,6 +2467,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="export_dialog.cpp"/>
         <source>Frames per second: of simulated time for meshes and tables, of the film for films.</source>
         <translation>Images par seconde : de temps simulé pour les maillages et tableaux, de film pour les films.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Give the file a name before its ending.</source>
+        <translation>Donnez au fichier un nom avant son extension.</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -2605,18 +2615,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_run.cpp"/>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Annulé ; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>Cancelled; what was written has been removed.</source>
+        <translation>Annulé ; ce qui était écrit a été retiré.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
         <source>The end of the range must not lie before its start.</source>
         <translation>La fin de l’intervalle ne doit pas précéder son début.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The export was cancelled and what was written has been removed.</source>
-        <translation>L’export a été annulé et ce qui était écrit a été supprimé.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The export was cancelled; nothing was written.</source>
-        <translation>L’export a été annulé ; rien n’a été écrit.</translation>
     </message>
     <message>
         <location filename="export_run.cpp"/>
@@ -3010,6 +3020,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
         <source>Another program has written %1 since you opened it. Replace what it wrote?</source>
         <translation>Un autre programme a écrit %1 depuis que vous l’avez ouvert. Remplacer ce qu’il a écrit ?</translation>
     </message>
@@ -3060,8 +3075,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
-        <source>Open a scene</source>
-        <translation>Ouvrir une scène</translation>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -3102,6 +3117,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="files.cpp"/>
         <source>Saved the template %1</source>
         <translation>Gabarit %1 enregistré</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Scenes, studies and recordings (*.ripstop.json *.ripstop-study.json *.ripstop-run)</source>
+        <translation>Scènes, études et enregistrements (*.ripstop.json *.ripstop-study.json *.ripstop-run)</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
@@ -4016,6 +4036,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_dialog.cpp"/>
+        <source>There is nothing to show.</source>
+        <translation>Il n’y a rien à montrer.</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
         <source>What was found in the mesh</source>
         <translation>Ce qui a été trouvé dans le maillage</translation>
     </message>
@@ -4253,6 +4278,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="import_form.cpp"/>
         <source>Whether each object of the file becomes a part of its own. In one part, objects become groups, and fabric is joined where they touch.</source>
         <translation>Si chaque objet du fichier devient une pièce à part. Dans une seule pièce, les objets deviennent des groupes, et le tissu est joint là où ils se touchent.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>With the name and colour of that in the file</source>
+        <translation>Avec le nom et la couleur de celui du fichier</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
@@ -16935,6 +16965,11 @@ Un clic sur l’une d’elles ouvre ensuite ce vol ou reprend ses valeurs.</tran
         <location filename="tables"/>
         <source>probe</source>
         <translation>sonde</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>rigidity particles hold all its links in shape</source>
+        <translation>des particules de rigidité tiennent toutes ses liaisons en forme</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -223,8 +223,8 @@ private slots:
                                          folder.filePath("kite." + ending).toStdString());
         QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
-                 (ending < "obj" ? QStringList{"kite." + ending, "kite.obj"}
-                                 : QStringList{"kite.obj", "kite." + ending}));
+                 (ending < "obj" ? QStringList{"kite." + ending, "kite.mtl", "kite.obj"}
+                                 : QStringList{"kite.mtl", "kite.obj", "kite." + ending}));
 
         const QByteArray bytes = contentOf(folder.filePath("kite." + ending));
         constexpr qsizetype vertices = 3 + 3 + 2 + 1;
@@ -429,7 +429,7 @@ private slots:
         const std::string target = folder.filePath("sail_{frame}.obj").toStdString();
         QVERIFY(!writeSeries(tearing(scene), MeshAppearance(scene), target));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
-                 (QStringList{"sail_0000.obj", "sail_0001.obj"}));
+                 (QStringList{"sail_0000.mtl", "sail_0000.obj", "sail_0001.obj"}));
         const auto first = readPolygonFile(folder.filePath("sail_0000.obj").toStdString(), {});
         const auto second = readPolygonFile(folder.filePath("sail_0001.obj").toStdString(), {});
         QVERIFY(first && second);

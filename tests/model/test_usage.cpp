@@ -68,7 +68,7 @@ private slots:
     void rigidityHoldsSpars()
     {
         const auto reason = [](const char* builder, const char* name) {
-            const Scene scene = *build(*findBuilder(builder), newDesign(*findBuilder(builder)));
+            const Scene scene = *build(*findBuilder(builder), newDesign(*findBuilder(builder), {}));
             return why(scene, *findNamed(scene, Kind::Material, name), "flexuralRigidity");
         };
         for (const char* kite : {"delta_kite", "rectangular_kite"})
