@@ -55,14 +55,43 @@ ExportRange rangeOf(const ExportOptions& options, const FrameSource& source)
     return {from, options.to.value_or(isOneMoment(options.output) ? from : all), options.fps};
 }
 
+bool isThere(const std::filesystem::path& file)
+{
+    std::error_code error;
+    return std::filesystem::exists(file, error);
+}
+
+// What is written, the target first; nothing where exportRun() says that there is no such format.
+std::vector<std::filesystem::path> outputsOf(const ExportOptions& options, const Scene& scene)
+{
+    const ExportFormat* format = formatOf(options.output);
+    return format ? filesOf(*format, options.output, 1, MeshAppearance(scene))
+                  : std::vector<std::filesystem::path>();
+}
+
+// What has not been named, and of which there is one already.
+std::vector<std::filesystem::path> thereBeside(std::vector<std::filesystem::path> outputs)
+{
+    if (!outputs.empty())
+        outputs.erase(outputs.begin()); // the target has a name
+    std::erase_if(outputs, [](const std::filesystem::path& file) { return !isThere(file); });
+    return outputs;
+}
+
 std::optional<Failure> write(FrameSource& source, const Scene& scene, const ExportOptions& options)
 {
+    const auto anew = thereBeside(outputsOf(options, scene));
     ProgressLine progress(options.output);
-    return exportRun(source, MeshAppearance(scene), rangeOf(options, source), options.output,
-                     [&](double share) {
-                         progress.show(share);
-                         return !interrupted();
-                     });
+    auto failure = exportRun(source, MeshAppearance(scene), rangeOf(options, source),
+                             options.output, [&](double share) {
+                                 progress.show(share);
+                                 return !interrupted();
+                             });
+    if (!failure)
+        for (const std::filesystem::path& file : anew)
+            std::cerr << "ripstop-cli: note: " << file.string() << " was there, and is written "
+                      << "anew beside " << options.output << ".\n";
+    return failure;
 }
 
 // Whether an OBJ file was exported by Ripstop, or is empty.
@@ -75,12 +104,6 @@ bool isOurs(const std::filesystem::path& mesh)
     if (begin.starts_with("mtllib")) // stands in front of the first comment
         begin.erase(0, begin.find('\n') + 1);
     return begin.empty() || begin.starts_with("# Ripstop");
-}
-
-bool isThere(const std::filesystem::path& file)
-{
-    std::error_code error;
-    return std::filesystem::exists(file, error);
 }
 
 // Whether a file that was not named may be replaced: the mesh and the materials of an export that
@@ -96,22 +119,15 @@ bool isMadeAgain(const std::filesystem::path& file, const std::filesystem::path&
 // mesh that is not of an export to the same target.
 int refuseFilesBeside(const ExportOptions& options, const Scene& scene, const FileNames& inputs)
 {
-    const ExportFormat* format = formatOf(options.output);
-    if (!format)
-        return Done; // exportRun() says so
-    const auto files = filesOf(*format, options.output, 1, MeshAppearance(scene));
-    for (const std::filesystem::path& file : std::span(files).subspan(1)) { // the target has a name
+    const auto outputs = outputsOf(options, scene);
+    for (const std::filesystem::path& file : thereBeside(outputs)) {
         if (isInput(file.string(), inputs))
             return WrongUsage;
-        if (!isThere(file))
-            continue;
-        if (!options.replaces && !isMadeAgain(file, files.front()))
+        if (!options.replaces && !isMadeAgain(file, outputs.front()))
             return fail(WrongUsage,
                         Message("%1 is written beside %2, and is there already; it would be lost: "
                                 "give the target another name, or say --replace.",
                                 file.string(), options.output));
-        std::cerr << "ripstop-cli: note: " << file.string() << " is there, and is written anew "
-                  << "beside " << options.output << ".\n";
     }
     return Done;
 }

@@ -1,3 +1,5 @@
+// One pass over links and panels counts; of parts with spars two more find what rigidity particles
+// hold, as that takes the neighbours of particles.
 #include "scene/usage.h"
 
 #include <algorithm>

@@ -192,7 +192,8 @@ void findPictures(const std::filesystem::path& file, PolygonMesh& mesh)
             const std::filesystem::path picture = file.parent_path() / name;
             std::error_code error;
             if (material.picture.empty() && std::filesystem::is_regular_file(picture, error))
-                material.picture = std::filesystem::absolute(picture, error).string();
+                material.picture =
+                    std::filesystem::absolute(picture, error).lexically_normal().string();
         }
         if (material.picture.empty()
             && std::ranges::find(mesh.missingFiles, named) == mesh.missingFiles.end())

@@ -1,3 +1,5 @@
+// A blow is told by what lines hold before and after the step; a late break by what the stepper saw
+// break, less what was above its strength already.
 #include "simulation/snatch_loads.h"
 
 #include "forces/spring_force.h"

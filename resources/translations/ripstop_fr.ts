@@ -2615,13 +2615,13 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_run.cpp"/>
-        <source>Cancelled; nothing was written.</source>
-        <translation>Annulé ; rien n’a été écrit.</translation>
+        <source>It was cancelled; nothing was written.</source>
+        <translation>C’est annulé ; rien n’a été écrit.</translation>
     </message>
     <message>
         <location filename="export_run.cpp"/>
-        <source>Cancelled; what was written has been removed.</source>
-        <translation>Annulé ; ce qui était écrit a été retiré.</translation>
+        <source>It was cancelled; what was written has been removed.</source>
+        <translation>C’est annulé ; ce qui était écrit a été retiré.</translation>
     </message>
     <message>
         <location filename="export_run.cpp"/>

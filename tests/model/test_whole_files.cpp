@@ -265,7 +265,7 @@ private slots:
         QVERIFY(!exported().error.contains("written anew"));
         const Outcome again = exported(); // one's own may be made again, and is told of
         QCOMPARE(again.exitCode, 0);
-        QVERIFY2(again.error.contains("sail.obj is there, and is written anew"),
+        QVERIFY2(again.error.contains("sail.obj was there, and is written anew"),
                  qPrintable(again.error));
         write(folder.filePath("sail.obj"), others); // not by the export that is there
         QCOMPARE(exported().exitCode, 2);
