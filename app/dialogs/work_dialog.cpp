@@ -64,7 +64,8 @@ void workWithProgress(QWidget* parent, const QString& title,
     look.start(lookEvery);
     loop.exec();
     thread.join();
-    if (parent && bar.isVisible()) { // window managers give the keys to the window below both
+    // Window managers give the keys to the window below both. Who cancels has seen the bar, too.
+    if (parent && (bar.isVisible() || cancelled)) {
         bar.hide();
         parent->activateWindow();
     }

@@ -113,7 +113,8 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
     connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::showPreview);
     // where a name without a folder goes is to be seen
     connect(m_target, &QLineEdit::editingFinished, this, [this, folder = QFileInfo(stem).dir()] {
-        if (const QString typed = m_target->text(); QFileInfo(typed).isRelative())
+        const QString typed = m_target->text();
+        if (!typed.isEmpty() && QFileInfo(typed).isRelative())
             m_target->setText(folder.absoluteFilePath(typed));
         followEnding(m_target->text());
     });

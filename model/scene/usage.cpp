@@ -22,21 +22,22 @@ void count(const Link& link, Use& use)
     use.biases += link.role == LinkRole::Bias && link.width > 0.0;
 }
 
-bool isSpar(const Scene& scene, Id material)
+std::set<Id> materialsOfSpars(const Scene& scene)
 {
-    const auto* found = findItem<Material>(scene, material);
-    return found && found->flexuralRigidity > 0.0;
+    std::set<Id> spars;
+    for (const Entry& entry : scene.items)
+        if (const auto* material = std::get_if<Material>(&entry.item);
+            material && material->flexuralRigidity > 0.0)
+            spars.insert(entry.id);
+    return spars;
 }
 
 // A rigidity particle is tied to many particles of spars, by rods of another material that both
 // push and pull. Two that are tied to both ends of each link leave a spar no way to bend.
-void countHeldSpars(const Scene& scene, const Part& part, Usage& usage)
+//   spars  materials
+void countHeldSpars(const Part& part, const std::set<Id>& spars, Usage& usage)
 {
     constexpr std::size_t many = 5;
-    std::set<Id> spars; // materials
-    for (const Entry& entry : scene.items)
-        if (isSpar(scene, entry.id) && usage.ofMaterial.contains(entry.id))
-            spars.insert(entry.id);
     std::unordered_map<std::uint32_t, std::set<Id>> ties; // of particles of spars, to others
     for (const Link& link : part.links)
         if (spars.contains(link.material))
@@ -70,6 +71,7 @@ void countHeldSpars(const Scene& scene, const Part& part, Usage& usage)
 Usage usageOf(const Scene& scene)
 {
     Usage usage;
+    const std::set<Id> spars = materialsOfSpars(scene);
     forEachPart(scene, [&](Id, const Part& part) {
         Id last = noId; // neighbours share their material
         Use* use = &usage.ofMaterial[noId];
@@ -87,7 +89,7 @@ Usage usageOf(const Scene& scene)
             ++at(panel.material).panels;
             at(panel.material).elasticPanels += isElastic;
         }
-        countHeldSpars(scene, part, usage);
+        countHeldSpars(part, spars, usage);
         usage.ofAll.panels += part.panels.size();
         usage.ofAll.elasticPanels += isElastic ? part.panels.size() : 0;
     });

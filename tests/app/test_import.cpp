@@ -17,6 +17,7 @@
 #include "views/run_with_widgets.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -164,6 +165,30 @@ private slots:
         QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("18 springs"), qPrintable(counts->text()),
                                   patience);
         QCOMPARE(carrier->currentIndex(), int(FabricKind::Threads)); // which such links are
+    }
+
+    // Several materials of a file become as many, and one where that is unticked.
+    void materialsOfTheFile()
+    {
+        const QString file =
+            writeFile(m_folder.filePath("two.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                                    "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n");
+        const Scene scene;
+        ImportDialog dialog(scene, file);
+        dialog.show();
+        const auto materials = [&] {
+            Scene made;
+            (void)apply(made, dialog.result().edit);
+            return std::ranges::count_if(made.items, [](const Entry& entry) {
+                return std::holds_alternative<Material>(entry.item);
+            });
+        };
+        auto* each = dialog.findChild<QCheckBox*>("perMaterial");
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isSettled() && each->isChecked(), patience);
+        QCOMPARE(materials(), 2);
+        each->click();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isSettled(), patience);
+        QCOMPARE(materials(), 1);
     }
 
     // The warp can be turned where panels carry the pull, and only there.

@@ -64,9 +64,11 @@ bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress&
     outcome.isUpright = read.isUpright;
     outcome.objects = std::set(read.object.begin(), read.object.end()).size();
     const std::set used(read.material.begin(), read.material.end());
-    const PolygonMesh::Material& first = read.materials[std::size_t(*used.begin())];
-    const bool isNameless = first.name.empty() && first.color.empty();
-    outcome.materials = used.size() == 1 && isNameless ? 0 : used.size();
+    const bool tells = used.size() > 1 || std::ranges::any_of(used, [&](int one) {
+                           const PolygonMesh::Material& material = read.materials[std::size_t(one)];
+                           return !material.name.empty() || !material.color.empty();
+                       });
+    outcome.materials = tells ? used.size() : 0;
     if (!m_kept.mesh || !(m_kept.shape == wish.shape)) {
         m_kept.mesh = nullptr;
         Result<PreparedMesh> mesh = prepared(read, wish.shape, stageOf(progress, 0.4, 0.7));
