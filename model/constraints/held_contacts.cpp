@@ -11,7 +11,7 @@ namespace {
 
 constexpr double unseen = 1e-4;        // of the inverse mass: the softness of a surface
 constexpr double nearEnough = 1e-7;    // m
-constexpr double seenWay = 1e-8;       // m, in a substep; it adds up to a millimetre in minutes
+constexpr double seenWay = 1e-7;       // m, in a substep; it adds up to a millimetre in a minute
 constexpr double heldWay = 1e-10;      // m, that what is held harder gives way by, at the most
 constexpr double turnsBack = 1e-9;     // m, of what slides, that is as good as rest
 constexpr double nearlySlides = 0.005; // of what friction can take
