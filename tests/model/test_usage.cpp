@@ -74,6 +74,9 @@ private slots:
         for (const char* kite : {"delta_kite", "rectangular_kite"})
             QVERIFY2(says(reason(kite, "spar"), "rigidity particles"), kite);
         QVERIFY(!reason("hang_glider", "tube"));
+        const Edit edit{
+            {}, {SetValues{findProperty(Kind::Material, "flexuralRigidity"), {Id{8}}, {1.0}}}};
+        QVERIFY(changesUsage(edit)); // who has a stiffness is a spar
     }
 
     // Which values a designer changes without effect, and which with one.
