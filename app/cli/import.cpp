@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace ripstop {
 namespace {
@@ -259,10 +260,15 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
         fabric.existing = part.panels.front().material;
         fabric.material = *findItem<Material>(scene, fabric.existing);
     }
+    const std::size_t materials = std::set(read->material.begin(), read->material.end()).size();
     if (options.json)
         list.push_back(jsonOf(file, *mesh, *made));
     else
         describe(file, *mesh, *made);
+    if (!options.json && materials > 1 && options.materials == "one" && options.material.empty())
+        std::cout << "  note: the file has " << materials
+                  << " materials, and all of it became one; "
+                  << "--materials file keeps them apart.\n";
     return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // Pictures on fabric: their size in pixels, where they lie, what is said when one is missing, and
 // that they leave with a bundle, a glTF and an OBJ.
 #include "derived/fabric_picture.h"
+#include "model/cli_call.h"
 #include "registered_test.h"
 
 #include "bundle/bundle.h"
@@ -197,6 +198,22 @@ private slots:
             const auto bundled = content(target + "/scene.ripstop.json");
             QVERIFY(bundled.contains(isThere ? "\"picture\": \"files/1_a.png\"" : "b.png\""));
         }
+    }
+
+    // The terminal says it where several materials of a mesh become one.
+    void severalThatBecomeOneAreTold()
+    {
+        const QTemporaryDir folder;
+        const QString mesh = written(folder, "two.obj",
+                                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"
+                                     "usemtl blue\nf 1 3 4\n");
+        const auto said = [&](const QStringList& more) {
+            return call(QStringList{"import", mesh, "-o", folder.filePath("two.ripstop.json")}
+                        + more)
+                .out;
+        };
+        QVERIFY(said({}).contains("2 materials"));
+        QVERIFY(!said({"--materials", "file"}).contains("2 materials"));
     }
 
     // An OBJ has the colours of its fabrics, with and without a picture.
