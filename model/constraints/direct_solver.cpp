@@ -99,7 +99,8 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
     guessPushes(task);
-    m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_from);
+    m_contacts.start(task.contacts, rowsThatMove(), m_mass, m_from,
+                     m_panels.empty() ? Friction::Firm : Friction::Giving);
     m_panels.setKeptByFolds(m_contacts.empty() ? keptInTheAir : keptOnObstacles);
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();

@@ -15,6 +15,7 @@ constexpr double seenWay = 1e-7;       // m, in a substep; it adds up to a milli
 constexpr double heldWay = 1e-10;      // m, that what is held harder gives way by, at the most
 constexpr double turnsBack = 1e-9;     // m, of what slides, that is as good as rest
 constexpr double nearlySlides = 0.005; // of what friction can take
+constexpr int mostTurns = 1;
 constexpr std::size_t surfacesEach = 2;
 
 Vec3 at(std::span<const Row> rows, std::uint32_t row)
@@ -27,11 +28,12 @@ Vec3 along(const HeldContact& contact, const Vec3& vector)
     return vector - vector.dot(contact.normal) * contact.normal;
 }
 
-// What sticks may take, kg m: each time that it has slid and come to rest a little more, as what it
-// neither slides nor sticks by for long is found by neither.
+// What sticks may take, kg m; where it is firm a little more each time that it has slid and come to
+// rest.
 double mayHold(const HeldContact& contact)
 {
-    return (1.0 + nearlySlides * std::exp2(2 * contact.turns)) * contact.most;
+    const double more = contact.kind == Friction::Firm ? std::exp2(2 * contact.turns) : 1.0;
+    return (1.0 + nearlySlides * more) * contact.most;
 }
 
 void measureAt(HeldContact& contact, const Vec3& position)
@@ -62,6 +64,7 @@ void HeldContacts::take(HeldContact& contact, double mass, const Vec3& guess)
 {
     contact.isNew = false;
     contact.isFirst = true;
+    contact.kind = m_kind;
     contact.inverseMass = 1.0 / mass;
     contact.softness = contact.hold = unseen / mass;
     measureAt(contact, guess);
@@ -75,9 +78,10 @@ void HeldContacts::take(HeldContact& contact, double mass, const Vec3& guess)
 }
 
 void HeldContacts::start(const ContactSearch* search, std::span<const int> particle,
-                         std::span<const double> mass, std::span<const Row> guess)
+                         std::span<const double> mass, std::span<const Row> guess, Friction kind)
 {
     m_search = search;
+    m_kind = kind;
     m_contacts.clear();
     if (!search)
         return;
@@ -125,16 +129,18 @@ void HeldContacts::decide(HeldContact& contact)
         contact.sticks = false;
         contact.against = contact.slip.normalized();
     }
-    contact.most = contact.friction * std::max(contact.multiplier, 0.0);
+    contact.most = contact.share * contact.friction * std::max(contact.multiplier, 0.0);
     const double rub = contact.rub.norm();
     if (contact.sticks && rub > mayHold(contact)) {
         contact.sticks = false;
         contact.against = -contact.rub / rub;
     } else if (!contact.sticks) {
         const double way = contact.slip.dot(contact.against);
-        if (way < -turnsBack) {
+        if (way < -turnsBack && (contact.turns++ < mostTurns || contact.kind == Friction::Firm)) {
             contact.sticks = true;
-            ++contact.turns;
+        } else if (way < -turnsBack) { // it hardly sticks: so much friction as does not drive it
+            contact.share *= 0.5;
+            contact.most *= 0.5;
         } else if (way > turnsBack) {
             contact.against = contact.slip.normalized();
         }
@@ -245,7 +251,7 @@ bool HeldContacts::isSettled(double accuracy, int iteration) const
             return false;
         if (!contact.acts || contact.friction == 0.0 || iteration >= enoughForFriction)
             continue;
-        const double may = contact.friction * std::max(contact.multiplier, 0.0);
+        const double may = contact.share * contact.friction * std::max(contact.multiplier, 0.0);
         const double rub = contact.rub.norm();
         all += may * may;
         const double wrong = contact.sticks ? std::max(rub - may, 0.0)
@@ -265,7 +271,7 @@ bool HeldContacts::holdHarder()
     const auto isSeen = [&](const HeldContact& contact) {
         return isSoft(contact) && contact.slip.norm() > seenWay;
     };
-    if (std::ranges::none_of(m_contacts, isSeen))
+    if (m_kind != Friction::Firm || std::ranges::none_of(m_contacts, isSeen))
         return false;
     for (HeldContact& contact : m_contacts)
         if (isSoft(contact))

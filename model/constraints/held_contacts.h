@@ -35,6 +35,11 @@
 
 namespace ripstop {
 
+// How friction finds its balance. What neither slides nor sticks for long sticks where it is firm,
+// which a heavy weight on a light rope needs to come to rest. Where it gives, such a contact has
+// half of its friction, by which panels find theirs as they land; they are light and pull little.
+enum class Friction { Firm, Giving };
+
 struct HeldContact
 {
     std::uint32_t row = 0; // of the solver's positions
@@ -49,11 +54,12 @@ struct HeldContact
     double friction = 0.0;       // 1, of impulses, so that what bounces back counts
     double inward = 0.0;         // m/s, at which the particle came, or 0 where it was at rest
 
-    double inverseMass = 0.0;    // 1/kg
-    double softness = 0.0;       // 1/kg, s above
-    double hold = 0.0;           // 1/kg, the same of friction, where it sticks
-    bool acts = false;           // in this iteration
-    bool sticks = true;          // if it acts
+    double inverseMass = 0.0; // 1/kg
+    double softness = 0.0;    // 1/kg, s above
+    double hold = 0.0;        // 1/kg, the same of friction, where it sticks
+    bool acts = false;        // in this iteration
+    bool sticks = true;       // if it acts
+    Friction kind = Friction::Firm;
     int turns = 0;               // how often it has slid and come to rest
     double share = 1.0;          // of friction, where it neither slides nor sticks for long
     double depth = 0.0;          // m, below the plane
@@ -95,7 +101,7 @@ public:
     // Before an iteration of the first guess.
     //   guess  [rows]  m, where particles are without rods
     void start(const ContactSearch* search, std::span<const int> particle,
-               std::span<const double> mass, std::span<const Row> guess);
+               std::span<const double> mass, std::span<const Row> guess, Friction kind);
 
     // Looks at all surfaces again; returns whether all is where it was thought to be.
     bool follow(std::span<const int> particle, std::span<const double> mass,
@@ -131,8 +137,9 @@ public:
     // as it is.
     bool isSettled(double accuracy, int iteration) const;
 
-    // Holds all that sticks harder, where some of it has given way by more than may add up over
-    // substeps; each contact once. Whether there was any, so that another iteration is due.
+    // Holds all that sticks harder, where friction is firm and some of it has given way by more
+    // than may add up over substeps; each contact once. Whether there was any, so that another
+    // iteration is due.
     bool holdHarder();
 
     // Whether a particle came in at a speed.
@@ -145,6 +152,7 @@ private:
     void take(HeldContact& contact, double mass, const Vec3& guess);
 
     const ContactSearch* m_search = nullptr;
+    Friction m_kind = Friction::Firm;
     std::vector<HeldContact> m_contacts;
 };
 
